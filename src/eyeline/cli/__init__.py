@@ -1,0 +1,1 @@
+"""The command line: parses units, opens files, calls one function, prints."""

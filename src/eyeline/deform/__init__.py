@@ -1,0 +1,1 @@
+"""Deformers: points in, points out; one a file."""

@@ -1,0 +1,29 @@
+"""Every exception eyeline raises: one sentence that names the value and the way out."""
+
+
+class EyelineError(Exception):
+    """What the caller gave cannot be used; the message is one sentence for people."""
+
+
+class GeometryError(EyelineError):
+    """Arrays that do not make a mesh, a transform or a camera."""
+
+
+class SceneError(EyelineError):
+    """A scene, node, clip or time that does not exist or does not fit."""
+
+
+class FileError(EyelineError):
+    """A file that cannot be read or written; the message starts with its name."""
+
+
+class OptionError(EyelineError):
+    """An option out of its range, or a name that is not in its table."""
+
+
+class MissingExtraError(EyelineError):
+    """A feature whose optional dependency is not installed; the message names the extra."""
+
+
+class KernelError(Exception):
+    """A defect of ours: a kernel got what its face should have refused."""

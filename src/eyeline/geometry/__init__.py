@@ -1,0 +1,1 @@
+"""Numbers only: arrays, transforms, quaternions, bounds. Knows no scene, no file, no picture."""

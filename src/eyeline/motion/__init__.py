@@ -1,0 +1,1 @@
+"""Motion as pure functions of time: curves, tracks, clips."""

@@ -1,0 +1,1 @@
+"""Scene and camera to Projected: transformed, clipped and snapped once, for every method."""

@@ -1,0 +1,54 @@
+"""What a camera sees, ready for any method: snapped vertices, faces, and which of their sides count."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from eyeline.scene.camera import Camera
+from eyeline.scene.surface import Surface
+
+COUNTER_CLOCKWISE, CLOCKWISE = 1, 2  # the sides of a face, as it turns on screen with y down the page
+
+
+@dataclass(frozen=True, eq=False)
+class Projected:
+    """Vertices on the picture's grid of 1/256 pixel, and faces over them.
+
+    The first `face_count` faces are the surfaces' own, surface after surface; one that crosses the near plane
+    or the guard band has side 0 there, and its pieces stand behind them. Depth is reversed: 1 near, 0 far.
+    """
+
+    xy: IntArray  # (V, 2) int32, 1/256 pixel, x right, y down; pixel (0, 0) is centred at (128, 128)
+    depth: FloatArray  # (V,) float32, linear on the screen
+    faces: IntArray  # (F, 3) int32 into the vertices
+    sides: ByteArray  # (F,) or (1,) for all: which sides count, COUNTER_CLOCKWISE | CLOCKWISE; 0 is not drawn
+    face_count: int  # how many faces are uncut
+    piece_source: IntArray  # (F - face_count,) which of the uncut faces a piece is cut from
+    first_faces: IntArray  # (S + 1,) where the faces of each surface begin among the uncut ones
+    surfaces: tuple[Surface, ...]  # (S,)
+    camera: Camera  # with near and far
+    width: int
+    height: int
+
+    @cached_property
+    def clip_from_world(self) -> FloatArray:
+        """(4, 4) float64."""
+        return self.camera.clip_from_eye(self.width / self.height) @ self.camera.eye_from_world
+
+    @cached_property
+    def source(self) -> IntArray:
+        """(F,) for every face, the uncut one it comes from."""
+        return np.concatenate([np.arange(self.face_count, dtype=np.int32), self.piece_source])
+
+    def only(self, wanted: BoolArray) -> Projected:
+        """The same picture of the faces (face_count,) that are wanted; all keep their numbers."""
+        every = np.concatenate([wanted, wanted[self.piece_source]])
+        return replace(self, sides=np.where(every, self.sides, 0).astype(np.uint8))
+
+    def shifted(self, dx: int, dy: int) -> Projected:
+        """The same picture sampled dx, dy (1/256 pixel) beside the pixels' centres."""
+        return replace(self, xy=self.xy - np.array([dx, dy], dtype=np.int32))

@@ -1,0 +1,1 @@
+"""Frames and films: the whole way from a scene to a picture."""

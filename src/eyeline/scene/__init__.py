@@ -1,0 +1,1 @@
+"""The nouns: mesh, material, texture, light, camera, node, scene. Frozen data, pure functions."""

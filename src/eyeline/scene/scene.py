@@ -1,0 +1,200 @@
+"""A scene: nodes in a tree, with clips that move them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+import numpy.typing as npt
+
+from eyeline.errors import SceneError
+from eyeline.geometry.arrays import FloatArray
+from eyeline.geometry.bounds import Bounds
+from eyeline.scene.animation import Animation
+from eyeline.scene.camera import Camera
+from eyeline.scene.light import Light
+from eyeline.scene.mesh import Mesh
+from eyeline.scene.node import Node
+from eyeline.scene.surface import Surface, surfaces_of
+
+if TYPE_CHECKING:
+    from eyeline.scene.pose import Samples
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """Nodes, parents before children; clips; and what its reader had to say.
+
+    Faces are numbered node after node, instance after instance, face after face.
+    """
+
+    nodes: tuple[Node, ...] = ()
+    clips: tuple[Animation, ...] = ()
+    notes: tuple[str, ...] = ()  # one sentence each: what the file held that is not drawn or was repaired
+    name: str = ""
+
+    def __post_init__(self) -> None:
+        """Refuse a tree that is none."""
+        for index, node in enumerate(self.nodes):
+            if not -1 <= node.parent < index:
+                raise SceneError(f"node {index} ({node.name!r}) has parent {node.parent}; parents come first")
+
+    @classmethod
+    def of(cls, *things: Mesh | Node | Camera | Light, clips: Iterable[Animation] = (), name: str = "") -> Scene:
+        """A scene of meshes, lights, cameras and ready nodes, side by side in the world."""
+        nodes = []
+        for index, thing in enumerate(things):
+            match thing:
+                case Node():
+                    nodes.append(thing)
+                case Mesh():
+                    nodes.append(Node(thing.name or f"mesh {index}", mesh=thing))
+                case Camera():
+                    nodes.append(Node(thing.name or f"camera {index}", matrix=thing.world_from_eye, camera=thing))
+                case Light():
+                    nodes.append(Node(thing.name or f"light {index}", light=thing))
+                case _:
+                    raise SceneError(f"a scene is made of meshes, nodes, cameras and lights, not {type(thing).__name__}")
+        return cls(tuple(nodes), tuple(clips), name=name)
+
+    # --- names ------------------------------------------------------------------------------------------
+
+    @cached_property
+    def paths(self) -> tuple[str, ...]:
+        """Every node's names from its root down, joined by '/'; a doubled path gets '.1', '.2' ..."""
+        paths: list[str] = []
+        taken: set[str] = set()
+        for index, node in enumerate(self.nodes):
+            own = node.name or f"node {index}"
+            path = f"{paths[node.parent]}/{own}" if node.parent >= 0 else own
+            unique, count = path, 0
+            while unique in taken:
+                count += 1
+                unique = f"{path}.{count}"
+            taken.add(unique)
+            paths.append(unique)
+        return tuple(paths)
+
+    def find(self, path: str | int) -> int:
+        """The index of the node with this path, or with this end of a path if only one has it."""
+        if isinstance(path, (int, np.integer)):
+            if not 0 <= path < len(self.nodes):
+                raise SceneError(f"there is no node {path}; the scene has {len(self.nodes)}")
+            return int(path)
+        if path in self.paths:
+            return self.paths.index(path)
+        found = [index for index, full in enumerate(self.paths) if full.endswith("/" + path)]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            raise SceneError(f"{path!r} is the end of {len(found)} paths; say which: {self.paths[found[0]]!r} ...")
+        raise SceneError(f"there is no node {path!r}{suggestion(path, self.paths)}")
+
+    def __getitem__(self, path: str | int) -> Node:
+        return self.nodes[self.find(path)]
+
+    def clip(self, clip: str | int | None) -> Animation | None:
+        """The clip of this name or number; the first for None, and None if there is none."""
+        if clip is None:
+            return self.clips[0] if self.clips else None
+        names = [one.name for one in self.clips]
+        if isinstance(clip, int) and 0 <= clip < len(self.clips):
+            return self.clips[clip]
+        if clip in names:
+            return self.clips[names.index(str(clip))]
+        raise SceneError(f"there is no clip {clip!r}{suggestion(str(clip), names)}")
+
+    # --- the world --------------------------------------------------------------------------------------
+
+    @cached_property
+    def world(self) -> FloatArray:
+        """(N, 4, 4) world_from_node."""
+        world = np.empty((len(self.nodes), 4, 4))
+        for index, node in enumerate(self.nodes):
+            matrix = node.parent_from_node
+            world[index] = matrix if node.parent < 0 else world[node.parent] @ matrix
+        return world
+
+    @cached_property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """Every mesh where it stands, skinned and morphed, in the order that numbers the faces."""
+        return surfaces_of(self.nodes, self.world)
+
+    @cached_property
+    def bounds(self) -> Bounds:
+        """The box around everything visible, world space."""
+        bounds = Bounds.empty()
+        for surface in self.surfaces:
+            bounds = bounds.union(surface.mesh.bounds.moved(surface.world_from_mesh))
+        return bounds
+
+    @cached_property
+    def cameras(self) -> tuple[Camera, ...]:
+        """Every camera where its node stands; scale does not reach a lens."""
+        cameras = []
+        for node, path, matrix in zip(self.nodes, self.paths, self.world, strict=True):
+            if node.camera is not None:
+                cameras.append(replace(node.camera.moved(rigid(matrix)), name=node.camera.name or path))
+        return tuple(cameras)
+
+    @cached_property
+    def lights(self) -> tuple[tuple[Light, FloatArray], ...]:
+        """Every light with its world_from_light (4, 4)."""
+        return tuple(
+            (node.light, rigid(matrix)) for node, matrix in zip(self.nodes, self.world, strict=True) if node.light
+        )
+
+    @property
+    def face_count(self) -> int:
+        """Faces, instances counted."""
+        return sum(len(surface.mesh.faces) for surface in self.surfaces)
+
+    @property
+    def duration(self) -> float:
+        """Seconds of the first clip; 0 without."""
+        return self.clips[0].duration if self.clips else 0.0
+
+    # --- time -------------------------------------------------------------------------------------------
+
+    def at(self, time: float, clip: str | int | None = None) -> Scene:
+        """This scene as it stands at `time`, seconds, in a clip (the first if none is named).
+
+        Pure: any order of times gives the same. A scene without clips stands still.
+        """
+        if not np.isfinite(time):
+            raise SceneError(f"time is {time}; a finite number of seconds is needed")
+        chosen = self.clip(clip)
+        return self if chosen is None else chosen.pose(self, float(time))
+
+    def sample(self, times: npt.ArrayLike, clip: str | int | None = None) -> Samples:
+        """Node transforms and morph weights at many times (T,) at once; no scene is copied."""
+        from eyeline.scene.pose import Samples
+
+        seconds = np.asarray(times, dtype=np.float64).reshape(-1)
+        if not np.isfinite(seconds).all():
+            raise SceneError("times hold a number that is not finite")
+        chosen = self.clip(clip)
+        return Samples.still(self, len(seconds)) if chosen is None else chosen.sample(self, seconds)
+
+
+def rigid(matrix: FloatArray) -> FloatArray:
+    """The matrix with its axes made unit and perpendicular, y and then z keeping their places best."""
+    back = matrix[:3, 2] / (np.sqrt((matrix[:3, 2] ** 2).sum()) or 1)
+    right = np.cross(matrix[:3, 1], back)
+    right = right / (np.sqrt((right**2).sum()) or 1)
+    straight = np.eye(4)
+    straight[:3, :3] = np.stack([right, np.cross(back, right), back], axis=-1)
+    straight[:3, 3] = matrix[:3, 3]
+    return straight
+
+
+def suggestion(name: str, names: Iterable[str]) -> str:
+    """The end of a sentence that refuses a name: the nearest ones there are."""
+    import difflib
+
+    known = list(names)
+    near = difflib.get_close_matches(name, known, n=3, cutoff=0.4) or known[:5]
+    return f"; there is {', '.join(map(repr, near))}" if near else "; there is none"

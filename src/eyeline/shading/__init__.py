@@ -1,0 +1,1 @@
+"""Projected, visible and scene to pixels. Never decides visibility."""

@@ -1,0 +1,1 @@
+"""Visible-surface detection: one question, several answers, one file a method."""
