@@ -127,7 +127,7 @@ class Scene:
     def bounds(self) -> Bounds:
         """The box around everything visible, world space."""
         bounds = Bounds.empty()
-        for surface in self.surfaces:
+        for surface in (one for one in self.surfaces if one.visible):
             bounds = bounds.union(surface.mesh.bounds.moved(surface.world_from_mesh))
         return bounds
 

@@ -19,6 +19,7 @@ class Surface:
     mesh: Mesh
     world_from_mesh: FloatArray  # (4, 4)
     first_face: int
+    visible: bool = True
 
     @property
     def mirrored(self) -> bool:
@@ -27,9 +28,9 @@ class Surface:
 
 
 def surfaces_of(nodes: Sequence[Node], world: FloatArray) -> tuple[Surface, ...]:
-    """Every visible mesh of posed nodes; world: (N, 4, 4) world_from_node.
+    """Every mesh of posed nodes; world: (N, 4, 4) world_from_node.
 
-    A hidden node keeps its face numbers, so that hiding one renumbers no other.
+    A hidden one is among them and keeps its face numbers, so that hiding it renumbers no other.
     """
     surfaces = []
     first = 0
@@ -39,8 +40,7 @@ def surfaces_of(nodes: Sequence[Node], world: FloatArray) -> tuple[Surface, ...]
         mesh = node.mesh
         visible = shown(nodes, index)
         for matrix in placings(node, world[index]):
-            if visible:
-                surfaces.append(Surface(index, mesh, matrix, first))
+            surfaces.append(Surface(index, mesh, matrix, first, visible))
             first += len(mesh.faces)
     return tuple(surfaces)
 
