@@ -75,7 +75,7 @@ def bumpy_sphere(face_count: int, bumps: float = 0.08) -> tuple[np.ndarray, np.n
     Points (V, 3) float32 and faces (F, 3) int32, outward sides counter-clockwise: rows of a globe, two faces
     to a cell, one at the poles. Its bumps hide each other, so that depth has something to decide.
     """
-    rows = max(3, round(np.sqrt(face_count / 4)))
+    rows = max(3, round((1 + np.sqrt(1 + face_count)) / 2))  # 4 rows (rows - 1) faces
     columns = 2 * rows
     polar = np.linspace(0, np.pi, rows + 1)[1:-1, None]
     turn = np.arange(columns)[None] * (2 * np.pi / columns)
