@@ -1,4 +1,4 @@
-"""What was measured: rows of ours against a peer, kept in results.json, from which the README's table is made."""
+"""What was measured, ours beside a peer, kept in results.json; the README's table is made from it."""
 
 from __future__ import annotations
 
