@@ -1,0 +1,48 @@
+"""sRGB and back by tables, with an ordered dither, so that gradients show no bands. [IEC 61966-2-1]"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from eyeline.geometry.arrays import FloatArray
+from eyeline.jit import helper
+
+ENCODED_SIZE = 4096  # 1/16 of a step of 8 bits, and finer
+
+
+def srgb_from_linear(linear: FloatArray) -> FloatArray:
+    """Display values 0..1 of linear light 0..1."""
+    return np.where(
+        linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
+    )
+
+
+def linear_from_srgb(shown: FloatArray) -> FloatArray:
+    """Linear light 0..1 of display values 0..1."""
+    return np.where(shown <= 0.04045, shown / 12.92, ((np.maximum(shown, 0.04045) + 0.055) / 1.055) ** 2.4)
+
+
+def _threshold_matrix() -> FloatArray:
+    """(8, 8) every threshold once, each far from its neighbours. [Bayer73]"""
+    matrix = np.zeros((1, 1))
+    for _ in range(3):
+        matrix = np.block([[4 * matrix, 4 * matrix + 2], [4 * matrix + 3, 4 * matrix + 1]])
+    return (matrix + 0.5) / 64
+
+
+# The tables: display values 0..255 over the square root of light, which sRGB nearly is ...
+ENCODED = (255 * srgb_from_linear((np.arange(ENCODED_SIZE + 1) / ENCODED_SIZE) ** 2)).astype(np.float32)
+# ... and light from 8 bits: 256 of sRGB, then 256 of plain numbers.
+DECODED = np.concatenate([linear_from_srgb(np.arange(256) / 255), np.arange(256) / 255]).astype(np.float32)
+# Thresholds stay a tenth away from whole steps, so that colours that are whole steps come out as they are.
+DITHER = (0.1 + 0.8 * _threshold_matrix()).astype(np.float32).reshape(-1)
+
+
+@helper
+def encoded(linear, threshold, table):
+    """The 8 bits of linear light; table: ENCODED."""
+    light = min(max(linear, np.float32(0)), np.float32(1))
+    step = np.int64(math.sqrt(light) * np.float32(ENCODED_SIZE) + np.float32(0.5))
+    return np.uint8(table[step] + threshold)
