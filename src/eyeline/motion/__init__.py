@@ -1,1 +1,7 @@
-"""Motion as pure functions of time: curves, tracks, clips."""
+"""Pure functions of time: curves, the tracks they move, and clips of tracks."""
+
+from eyeline.motion.clip import Clip
+from eyeline.motion.curve import Curve
+from eyeline.motion.track import Track
+
+__all__ = ["Clip", "Curve", "Track"]

@@ -1,0 +1,171 @@
+"""A clip bound to a scene: what was looked up once, followed at every time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+
+from eyeline.errors import SceneError
+from eyeline.geometry.arrays import FloatArray, IntArray
+from eyeline.motion.bundle import Bundle
+from eyeline.motion.target import Target, changed, find
+from eyeline.motion.track import Track
+from eyeline.scene.material import Material
+from eyeline.scene.mesh import Mesh
+from eyeline.scene.pose import Samples
+from eyeline.scene.scene import Scene
+
+PARTS = {"translation": (0, 3), "rotation": (3, 4), "scale": (7, 3)}  # of a node's ten columns
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """The columns of a state, what fills them, and where they go.
+
+    A state is flat: T rows of N translations, T rows of N rotations, T rows of N scales, then a block of T
+    rows for the morph weights of each node that has some, and one for each other property that moves.
+    """
+
+    bundle: Bundle
+    rest: FloatArray  # (columns,) the scene as it stands
+    parents: IntArray  # (N,)
+    weights: Mapping[int, tuple[int, int]]  # node -> first column and end of its morph weights
+    targets: tuple[Target, ...]
+    unfolded: Mapping[int, Mapping[str, Any]]  # moved nodes that were given as a matrix -> their parts
+    fixed: Mapping[int, FloatArray]  # nodes that stay where a matrix puts them
+    painted: Mapping[str, tuple[int, ...]]  # moved material -> the nodes whose meshes wear it
+
+    @classmethod
+    def of(cls, tracks: Sequence[Track], scene: Scene) -> Plan:
+        """Refused: a track of what is not there, and two tracks of the same."""
+        still = Samples.still(scene, 1)
+        materials, wearers = _materials(scene)
+        paths = {path: index for index, path in enumerate(scene.paths)}
+        nodes = [find(track, scene, paths, materials) for track in tracks]
+        _refuse_twice(tracks, nodes)
+
+        # Columns: every node's place, all morph weights, then what else moves
+        count, weights, end = len(scene.nodes), {}, 10 * len(scene.nodes)
+        for node, values in still.weights.items():
+            weights[node] = (end, end + values.shape[1])
+            end = weights[node][1]
+        places = []
+        for track, node in zip(tracks, nodes, strict=True):
+            if node >= 0 and track.property in PARTS:
+                before, width = PARTS[track.property]
+                places.append((before * count, width * count, width * node))
+            elif node >= 0 and track.property == "weights":
+                places.append((weights[node][0], track.curve.width, 0))
+            else:
+                places.append((end, track.curve.width, 0))
+                end += track.curve.width
+
+        moved = {node for track, node in zip(tracks, nodes, strict=True) if track.property in PARTS}
+        rest = [still.translation, still.rotation, still.scale, *still.weights.values()]
+        return cls(
+            bundle=Bundle.of(
+                [track.curve for track in tracks], np.array(places, np.int64).reshape(-1, 3), end
+            ),
+            rest=np.concatenate(
+                [part.reshape(-1) for part in rest] + [np.zeros(end - sum(part.size for part in rest))]
+            ),
+            parents=still.parents,
+            weights=weights,
+            targets=tuple(
+                Target.of(track, node, before + column)
+                for track, node, (before, _, column) in zip(tracks, nodes, places, strict=True)
+            ),
+            unfolded={node: _parts(still, node) for node in moved & set(still.fixed)},
+            fixed={node: matrix for node, matrix in still.fixed.items() if node not in moved},
+            painted={track.name: wearers[track.name] for track in tracks if track.kind == "material"},
+        )
+
+    def pose(self, scene: Scene, time: float) -> Scene:
+        """The scene at one time; what no track moves stays the same object."""
+        state = self.bundle.at(np.array([time]), self.rest.copy()).tolist()
+        nodes: dict[int, dict[str, Any]] = {node: dict(parts) for node, parts in self.unfolded.items()}
+        materials: dict[str, dict[str, Any]] = {}
+        for target in self.targets:
+            changes = (
+                nodes.setdefault(target.node, {})
+                if target.node >= 0
+                else materials.setdefault(target.material, {})
+            )
+            target.enter(changes, state)
+        for node, mesh in self._painted(scene, materials).items():
+            nodes.setdefault(node, {})["mesh"] = mesh
+        posed = list(scene.nodes)
+        for node, changes in nodes.items():
+            posed[node] = changed(posed[node], changes)
+        return replace(scene, nodes=tuple(posed))
+
+    def sample(self, times: FloatArray) -> Samples:
+        """All node transforms and morph weights at times (T,)."""
+        count, nodes = len(times), len(self.parents)
+        state = np.empty(count * len(self.rest))
+        bounds = [0, 3 * nodes, 7 * nodes, 10 * nodes, *(end for _, end in self.weights.values())]
+        blocks = []
+        for first, end in pairwise(bounds):
+            block = state[first * count : end * count].reshape(count, end - first)
+            block[:] = self.rest[first:end]
+            blocks.append(block)
+        self.bundle.at(times, state)
+        return Samples(
+            blocks[0].reshape(count, nodes, 3),
+            blocks[1].reshape(count, nodes, 4),
+            blocks[2].reshape(count, nodes, 3),
+            dict(zip(self.weights, blocks[3:], strict=True)),
+            self.parents,
+            self.fixed,
+        )
+
+    def _painted(self, scene: Scene, changes: Mapping[str, dict[str, Any]]) -> dict[int, Mesh]:
+        """The meshes that wear materials with changes, by node; a mesh that stands twice is changed once."""
+        materials: dict[int, Material] = {}
+        meshes: dict[int, Mesh] = {}
+        painted: dict[int, Mesh] = {}
+        for node in {node for name in changes for node in self.painted[name]}:
+            mesh = scene.nodes[node].mesh
+            assert mesh is not None
+            if id(mesh) not in meshes:
+                for material in mesh.materials:
+                    if id(material) not in materials:
+                        materials[id(material)] = changed(material, changes.get(material.name, {}))
+                worn = tuple(materials[id(material)] for material in mesh.materials)
+                meshes[id(mesh)] = mesh.changed(materials=worn)
+            painted[node] = meshes[id(mesh)]
+        return painted
+
+
+def _materials(scene: Scene) -> tuple[dict[str, Material], dict[str, tuple[int, ...]]]:
+    """Materials by name, and the nodes whose meshes wear each."""
+    materials: dict[str, Material] = {}
+    wearers: dict[str, tuple[int, ...]] = {}
+    for index, node in enumerate(scene.nodes):
+        for name, material in {one.name: one for one in (node.mesh.materials if node.mesh else ())}.items():
+            materials.setdefault(name, material)
+            wearers[name] = (*wearers.get(name, ()), index)
+    return materials, wearers
+
+
+def _parts(still: Samples, node: int) -> dict[str, Any]:
+    """What a node given as a matrix is given as instead."""
+    return {
+        "matrix": None,
+        "translation": tuple(still.translation[0, node].tolist()),
+        "rotation": tuple(still.rotation[0, node].tolist()),
+        "scale": tuple(still.scale[0, node].tolist()),
+    }
+
+
+def _refuse_twice(tracks: Sequence[Track], nodes: Sequence[int]) -> None:
+    taken = set()
+    for track, node in zip(tracks, nodes, strict=True):
+        target = (node, track.name if node < 0 else "", track.property)
+        if target in taken:
+            raise SceneError(f"{track} is there twice; one curve for a property is needed")
+        taken.add(target)
