@@ -22,7 +22,13 @@ extensions = [
     "extensions.docstrings",
     "extensions.tables",
 ]
-exclude_patterns = ["_build", "gallery/**/*.ipynb", "gallery/**/*.py", "gallery/**/*.zip", "gallery/sg_execution_times.rst"]
+exclude_patterns = [
+    "_build",
+    "gallery/**/*.ipynb",
+    "gallery/**/*.py",
+    "gallery/**/*.zip",
+    "gallery/sg_execution_times.rst",
+]
 nitpicky = False
 
 # --- text ---------------------------------------------------------------------------------------------------

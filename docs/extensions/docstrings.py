@@ -18,7 +18,8 @@ from typing import Any
 
 from sphinx.application import Sphinx
 
-CITATION = re.compile(r"\[([A-Z][A-Za-z]+\d\d)((?:,[^\]]*)?)\]")
+KEY = re.compile(r"[A-Z][A-Za-z]+\d\d")
+CITATION = re.compile(rf"\[({KEY.pattern})([^\]]*)\]")
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
@@ -57,9 +58,8 @@ def escaped(text: str) -> str:
 
 
 def cited(match: re.Match[str]) -> str:
-    """A citation as a link."""
-    key, rest = match.groups()
-    return f"\\ :ref:`[{key}{rest}] <{key.lower()}>`\\ "
+    """A citation, each of its keys a link."""
+    return KEY.sub(lambda key: f"\\ :ref:`{key.group()} <{key.group().lower()}>`\\ ", match.group())
 
 
 def listed(thing: type) -> Iterator[str]:
@@ -83,4 +83,9 @@ def fields(thing: type) -> Iterator[tuple[str, str, str | None, str]]:
         if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name) and node.target.id[0] != "_":
             default = ast.unparse(node.value) if node.value is not None else None
             comment = comments.get(node.end_lineno or 0, "")
-            yield node.target.id, ast.unparse(node.annotation), default, re.sub(r"type: ignore\S*\s*#?\s*", "", comment)
+            yield (
+                node.target.id,
+                ast.unparse(node.annotation),
+                default,
+                re.sub(r"type: ignore\S*\s*#?\s*", "", comment),
+            )

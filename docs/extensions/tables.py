@@ -6,10 +6,11 @@ import inspect
 from collections.abc import Callable
 from typing import Any, ClassVar
 
-import eyeline
 from docutils import nodes
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
+
+import eyeline
 
 MODULES = ("errors", "samples")
 
@@ -68,7 +69,9 @@ def public_names(_: str) -> str:
     for name in eyeline.__all__:
         thing = getattr(eyeline, name)
         if name in MODULES:
-            modules.append(f"## eyeline.{name}\n\n{quoted(f'.. automodule:: {thing.__name__}', 'members', 'undoc-members')}")
+            modules.append(
+                f"## eyeline.{name}\n\n{quoted(f'.. automodule:: {thing.__name__}', 'members', 'undoc-members')}"
+            )
         elif inspect.isclass(thing):
             classes.append(f"### {name}\n\n{quoted(f'.. autoclass:: eyeline.{name}', 'members')}")
         elif callable(thing):
