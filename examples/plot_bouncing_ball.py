@@ -2,7 +2,8 @@
 A bouncing ball
 ===============
 
-The first exercise of every animator, as a film. The clip comes with the scene; a film without `start` and `end` is all of it.
+The first exercise of every animator, as a film. The clip comes with the scene; a film without `start` and
+`end` is all of it.
 """
 
 import eyeline as el

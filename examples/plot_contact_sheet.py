@@ -2,7 +2,8 @@
 A contact sheet
 ===============
 
-Twelve moments of a clip on one sheet. A clip is a pure function of time, so a frame can be asked for by its number, in any order.
+Twelve moments of a clip on one sheet. A clip is a pure function of time, so a frame can be asked for by its
+number, in any order.
 """
 
 import numpy as np

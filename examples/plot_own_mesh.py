@@ -20,7 +20,8 @@ points = np.stack([x, height, z], axis=-1).reshape(-1, 3)
 
 # --- two faces to a cell, counter-clockwise seen from above
 corner = np.arange((CELLS + 1) * CELLS).reshape(CELLS, CELLS + 1)[:, :-1].reshape(-1, 1)
-faces = np.concatenate([corner + (0, CELLS + 1, CELLS + 2), corner + (0, CELLS + 2, 1)])
+below, right, opposite = corner + CELLS + 1, corner + 1, corner + CELLS + 2
+faces = np.concatenate([np.hstack([corner, below, opposite]), np.hstack([corner, opposite, right])])
 
 # --- from deep blue in the valleys to warm white on the crests, linear light
 deep, crest = np.array([0.02, 0.10, 0.35, 1]), np.array([1.0, 0.72, 0.45, 1])

@@ -2,8 +2,8 @@
 A turntable
 ===========
 
-A camera that goes once around a model. The suffix decides the format: `.mp4`, `.webm`, `.gif`, `.webp`, or a folder of PNG
-frames where there is none.
+A camera that goes once around a model. The suffix decides the format: `.mp4`, `.webm`, `.gif`, `.webp`, or a
+folder of PNG frames where there is none.
 """
 
 import eyeline as el

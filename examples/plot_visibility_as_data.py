@@ -2,7 +2,7 @@
 What is seen, as data
 =====================
 
-The same answer that makes the picture tells how much of each thing the viewer sees, and what hides the rest of it.
+The same answer that makes the picture tells how much of each thing the viewer sees, and what hides the rest.
 """
 
 import math
@@ -28,9 +28,9 @@ camera = el.Camera.look_at(eye=(0, 1.5, 8), target=(0, 0, 0), fov=math.radians(3
 seen = el.visible(scene, camera, size=SIZE)
 for name in scene.paths:
     area = seen.area(name)
-    hidden_by = ", ".join(f"{other} {pixels}" for other, pixels in area.occluders.items()) or "nothing"
+    hidden_by = ", ".join(f"{other} ({pixels} pixels)" for other, pixels in area.occluders.items())
     print(
-        f"{name:7}{area.fraction:6.1%} seen, {area.pixels} of {area.unoccluded_pixels} pixels; hidden by {hidden_by}"
+        f"{name:7}{area.fraction:6.1%} of {area.unoccluded_pixels} pixels seen; hidden by {hidden_by or 'nothing'}"
     )
 
 el.render(scene, camera, size=SIZE).save("visibility_as_data.png")

@@ -1,1 +1,1 @@
-"""What the site is built with beside Sphinx: tables from code, plain docstrings, pictures that examples save."""
+"""What builds the site beside Sphinx: tables from code, plain docstrings, pictures that examples save."""

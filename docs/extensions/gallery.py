@@ -11,7 +11,7 @@ SHOWN = {".png", ".gif", ".webp"}
 
 
 def saved_pictures(block: tuple[str, str, int], variables: dict[str, Any], settings: dict[str, Any]) -> str:
-    """Move what the last block saved beside its program into the site, and show it. [sphinx-gallery scraper]"""
+    """Move what the last block saved beside its program into the site, and show it."""
     folder = Path(variables["src_file"]).parent
     shown = []
     for saved in sorted(file for file in folder.iterdir() if file.suffix in SHOWN):

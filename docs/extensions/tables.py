@@ -69,9 +69,7 @@ def public_names(_: str) -> str:
     for name in eyeline.__all__:
         thing = getattr(eyeline, name)
         if name in MODULES:
-            modules.append(
-                f"## eyeline.{name}\n\n{quoted(f'.. automodule:: {thing.__name__}', 'members', 'undoc-members')}"
-            )
+            modules.append(f"## eyeline.{name}\n\n{quoted(f'.. automodule:: {thing.__name__}', 'members')}")
         elif inspect.isclass(thing):
             classes.append(f"### {name}\n\n{quoted(f'.. autoclass:: eyeline.{name}', 'members')}")
         elif callable(thing):
