@@ -64,6 +64,8 @@ def brute_force(projected: Projected, behind) -> list[list[tuple[float, int]]]:
             a, b = ay - by, bx - ax
             edge = a * (columns * 256 + 128 - ax) + b * (rows * 256 + 128 - ay)
             inside &= (edge > 0) | ((edge == 0) & (a > 0 or (a == 0 and b > 0)))
+        first = int(np.lexsort((p[:, 0], p[:, 1]))[0])
+        p, z = np.roll(p, -first, axis=0), np.roll(z, -first)
         # Depth is the plane through the corners, in the order of operations all methods share
         u, v = (p[1] - p[0]).astype(float), (p[2] - p[0]).astype(float)
         scale = 256.0 / (u[0] * v[1] - v[0] * u[1])

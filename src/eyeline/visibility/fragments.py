@@ -12,12 +12,20 @@ import numpy as np
 
 from eyeline.errors import OptionError
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray
+from eyeline.geometry.fixedpoint import (
+    BEFORE_CENTRE,
+    CENTRE,
+    UNITS,
+    depth_at,
+    depth_plane,
+    edge_bias,
+    signed_area,
+)
 from eyeline.jit import helper, kernel, share, threads
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 
 LIMIT = 1 << 27  # fragments in one picture: with their sorting, 2 GB
 BAND_BITS = 4  # threads take turns in bands of 16 rows
-CENTRE = 128
 SHORT = 24  # lists up to this long are sorted by insertion, longer ones by heap
 
 
@@ -116,17 +124,17 @@ def visit(part, parts, fill, corners, depths, sides, source, behind, width, heig
         x1, y1 = np.int64(corners[6 * j + 2]), np.int64(corners[6 * j + 3])
         x2, y2 = np.int64(corners[6 * j + 4]), np.int64(corners[6 * j + 5])
         z0, z1, z2 = depths[3 * j], depths[3 * j + 1], depths[3 * j + 2]
-        area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+        area = signed_area(x0, y0, x1, y1, x2, y2)
         side = COUNTER_CLOCKWISE if area < 0 else CLOCKWISE
         if area == 0 or (sides[j] & side) == 0:
             continue
         # Corners 1 and 2 of a counter-clockwise face change places, so that areas are positive
         if area < 0:
             x1, y1, z1, x2, y2, z2 = x2, y2, z2, x1, y1, z1
-        left = max((min(x0, x1, x2) + 127) >> 8, 0)
-        right = min((max(x0, x1, x2) - 128) >> 8, width - 1)
-        top = max((min(y0, y1, y2) + 127) >> 8, 0)
-        bottom = min((max(y0, y1, y2) - 128) >> 8, height - 1)
+        left = max((min(x0, x1, x2) + BEFORE_CENTRE) >> 8, 0)
+        right = min((max(x0, x1, x2) - CENTRE) >> 8, width - 1)
+        top = max((min(y0, y1, y2) + BEFORE_CENTRE) >> 8, 0)
+        bottom = min((max(y0, y1, y2) - CENTRE) >> 8, height - 1)
         if left > right or top > bottom:
             continue
         a, b, c = depth_plane(x0, y0, z0, x1, y1, z1, x2, y2, z2)
@@ -136,7 +144,7 @@ def visit(part, parts, fill, corners, depths, sides, source, behind, width, heig
             if (y >> BAND_BITS) % parts != part:
                 y = ((y >> BAND_BITS) + 1) << BAND_BITS
                 continue
-            px, py = left * 256 + CENTRE, y * 256 + CENTRE
+            px, py = left * UNITS + CENTRE, y * UNITS + CENTRE
             low, high = 0.0, float(right - left)
             low, high = across(x1, y1, x2, y2, px, py, low, high)
             low, high = across(x2, y2, x0, y0, px, py, low, high)
@@ -154,10 +162,20 @@ def visit(part, parts, fill, corners, depths, sides, source, behind, width, heig
 
 @helper
 def across(ax, ay, bx, by, px, py, low, high):
-    """The part of the pixels low .. high to the right of centre (px, py) on the inner side of an edge."""
+    """The part of the pixels low .. high to the right of centre (px, py) on the inner side of an edge.
+
+    Whole numbers below 2**53 in float64: ceil and floor of a rounded quotient are those of the exact one.
+    """
     a, b = ay - by, bx - ax
     e = np.float64(a * (px - ax) + b * (py - ay) + edge_bias(a, b))
-    return narrow_span(e, np.float64(a * 256), low, high)
+    step = np.float64(a * UNITS)
+    if step > 0:
+        low = max(low, np.ceil(-e / step))
+    elif step < 0:
+        high = min(high, np.floor(-e / step))
+    elif e < 0:
+        high = -1.0
+    return low, high
 
 
 @kernel
@@ -210,35 +228,3 @@ def sort_by_heap(keys, begin, end):
             keys[begin + hole] = keys[begin + child]
             hole, child = child, 2 * child + 1
         keys[begin + hole] = key
-
-
-@helper
-def edge_bias(a, b):
-    return np.int64((a > 0) | ((a == 0) & (b > 0))) - 1
-
-
-@helper
-def depth_plane(x0, y0, z0, x1, y1, z1, x2, y2, z2):
-    ux, uy, vx, vy = np.float64(x1 - x0), np.float64(y1 - y0), np.float64(x2 - x0), np.float64(y2 - y0)
-    d1, d2 = np.float64(z1) - np.float64(z0), np.float64(z2) - np.float64(z0)
-    s = 256.0 / (ux * vy - vx * uy)
-    a = (d1 * vy - d2 * uy) * s
-    b = (d2 * ux - d1 * vx) * s
-    return (
-        a,
-        b,
-        np.float64(z0) - a * (np.float64(x0 - CENTRE) / 256.0) - b * (np.float64(y0 - CENTRE) / 256.0),
-    )
-
-
-@helper
-def depth_at(a, b, c, x, y):
-    return np.float32((c + b * np.float64(y)) + a * np.float64(x))
-
-
-@helper
-def narrow_span(e, a, low, high):
-    q = -e / a
-    low = max(low, np.ceil(q)) if a > 0 else low
-    high = min(high, np.floor(q)) if a < 0 else high
-    return low, (-1.0 if (a == 0) & (e < 0) else high)
