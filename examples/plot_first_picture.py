@@ -2,8 +2,8 @@
 A first picture
 ===============
 
-A built-in model becomes a picture. Without a camera the view is three-quarter; without a light there is a small
-studio: a key light, a floor that takes the shadow, a soft backdrop.
+A built-in model becomes a picture. Without a camera the view is three-quarter; without a light there is a
+small studio: a key light, a floor that takes the shadow, a soft backdrop.
 """
 
 import eyeline as el

@@ -28,9 +28,9 @@ camera = el.Camera.look_at(eye=(0, 1.5, 8), target=(0, 0, 0), fov=math.radians(3
 seen = el.visible(scene, camera, size=SIZE)
 for name in scene.paths:
     area = seen.area(name)
-    hidden_by = ", ".join(f"{other} ({pixels} pixels)" for other, pixels in area.occluders.items())
-    print(
-        f"{name:7}{area.fraction:6.1%} of {area.unoccluded_pixels} pixels seen; hidden by {hidden_by or 'nothing'}"
+    hidden_by = (
+        ", ".join(f"{other} ({pixels} pixels)" for other, pixels in area.occluders.items()) or "nothing"
     )
+    print(f"{name:7}{area.fraction:6.1%} of {area.unoccluded_pixels} pixels seen; hidden by {hidden_by}")
 
 el.render(scene, camera, size=SIZE).save("visibility_as_data.png")
