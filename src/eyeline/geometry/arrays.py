@@ -40,3 +40,10 @@ def index_rows(values: npt.ArrayLike, width: int, count: int, name: str) -> IntA
     if rows.ndim != 2 or rows.shape[1] != width:
         raise GeometryError(f"{name} has shape {rows.shape}; (N, {width}) is needed")
     return rows
+
+
+def read_only(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """`array`, not to be written: a kernel that reads it then has one signature, whoever made the array."""
+    view = array.view() if array.flags.aligned else array.copy()
+    view.flags.writeable = False
+    return view

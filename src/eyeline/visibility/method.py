@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
-from eyeline.errors import SceneError
-from eyeline.geometry.arrays import FloatArray, IntArray
+from eyeline.geometry.arrays import FloatArray, IntArray, read_only
+from eyeline.jit import kernel, share, threads
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
+
+if TYPE_CHECKING:
+    from eyeline.visibility.area import Area
 
 
 @dataclass(frozen=True)
@@ -47,20 +50,6 @@ class Method(Protocol):
         """The same decisions one by one, for reading: plain Python, small scenes."""
 
 
-@dataclass(frozen=True)
-class Area:
-    """How much of a node is seen."""
-
-    pixels: int  # where it is seen
-    unoccluded_pixels: int  # where it would be seen with nothing else there
-    occluders: Mapping[str, int]  # path of a node -> pixels of this one that it hides
-
-    @property
-    def fraction(self) -> float:
-        """The seen part of what could be seen, 0..1; 0 if it is out of the picture."""
-        return self.pixels / self.unoccluded_pixels if self.unoccluded_pixels else 0.0
-
-
 @dataclass(frozen=True, eq=False)
 class Visible:
     """A method's answer: the face and the depth at every pixel."""
@@ -71,3 +60,55 @@ class Visible:
     method: Method
     work: Mapping[str, int]  # counters
     scene: Scene | None = None  # for node names
+
+    @cached_property
+    def node(self) -> IntArray:
+        """(H, W) int32: the node of the face at every pixel; -1 is background."""
+        return nodes_of(self.face, self.projected)
+
+    @cached_property
+    def distance(self) -> FloatArray:
+        """(H, W) float32: metres along the view axis; inf is background."""
+        camera = self.projected.camera
+        matrix = camera.clip_from_eye(self.projected.width / self.projected.height)
+        slope, offset = (np.float32(number) for number in matrix[2, 2:])
+        with np.errstate(divide="ignore"):
+            # Solved for the distance: depth = (offset - slope distance) / distance, or the same undivided
+            far = offset / (self.depth + slope) if camera.fov is not None else (offset - self.depth) / slope
+        return np.where(self.depth > 0, far, np.float32(np.inf))
+
+    def area(self, node: str | int) -> Area:
+        """How much of a node, and of what hangs from it, is seen, and what hides the rest."""
+        from eyeline.visibility.area import area_of
+
+        return area_of(self, node)
+
+
+def nodes_of(face: IntArray, projected: Projected) -> IntArray:
+    """The node of every face in an array of scene faces; -1 stays -1."""
+    nodes = np.array([surface.node for surface in projected.surfaces], dtype=np.int32)
+    node = np.empty(face.shape, dtype=np.int32)
+    flat, firsts, parts = read_only(face).reshape(-1), read_only(projected.first_faces), threads()
+    share(lambda part: _nodes_of(part, parts, flat, firsts, nodes, node.reshape(-1)), parts)
+    return node
+
+
+@kernel
+def _nodes_of(part, parts, face, firsts, nodes, node):
+    begin, end, count = face.shape[0] * part // parts, face.shape[0] * (part + 1) // parts, nodes.shape[0]
+    surface = 0
+    for i in range(begin, end):
+        number = face[i]
+        if number < 0:
+            node[i] = -1
+            continue
+        if not firsts[surface] <= number < firsts[surface + 1]:
+            # The last surface whose first face is not after this one
+            surface, above = 0, count
+            while above - surface > 1:
+                middle = (surface + above) >> 1
+                if firsts[middle] <= number:
+                    surface = middle
+                else:
+                    above = middle
+        node[i] = nodes[surface]
