@@ -1,0 +1,95 @@
+"""3D animation that knows what the viewer sees: exact visibility, films and data on plain CPUs.
+
+Names are imported when they are first used, so that `import eyeline` stays quick.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from eyeline import errors
+    from eyeline.files import load
+    from eyeline.motion import Clip
+    from eyeline.render.film import Film, film
+    from eyeline.render.frame import render
+    from eyeline.render.image import Image
+    from eyeline.render.visible import visible
+    from eyeline import samples
+    from eyeline.scene.camera import Camera
+    from eyeline.scene.light import Light
+    from eyeline.scene.material import Material
+    from eyeline.scene.mesh import Mesh, MorphTarget
+    from eyeline.scene.node import Node
+    from eyeline.scene.scene import Scene
+    from eyeline.scene.skin import Skin
+    from eyeline.scene.texture import Texture, TextureSlot
+    from eyeline.shading.styles import STYLES
+    from eyeline.visibility import METHODS
+
+__version__ = "0.1.0.dev0"
+
+_HOMES = {
+    "METHODS": "eyeline.visibility",
+    "STYLES": "eyeline.shading.styles",
+    "Camera": "eyeline.scene.camera",
+    "Clip": "eyeline.motion",
+    "Film": "eyeline.render.film",
+    "Image": "eyeline.render.image",
+    "Light": "eyeline.scene.light",
+    "Material": "eyeline.scene.material",
+    "Mesh": "eyeline.scene.mesh",
+    "MorphTarget": "eyeline.scene.mesh",
+    "Node": "eyeline.scene.node",
+    "Scene": "eyeline.scene.scene",
+    "Skin": "eyeline.scene.skin",
+    "Texture": "eyeline.scene.texture",
+    "TextureSlot": "eyeline.scene.texture",
+    "errors": "eyeline.errors",
+    "film": "eyeline.render.film",
+    "load": "eyeline.files",
+    "render": "eyeline.render",
+    "samples": "eyeline.samples",
+    "visible": "eyeline.render.visible",
+}  # public name -> the module that holds it
+_MODULES = ("errors", "render", "samples")  # are modules themselves; `render` is one that can be called
+
+__all__ = [
+    "METHODS",
+    "STYLES",
+    "Camera",
+    "Clip",
+    "Film",
+    "Image",
+    "Light",
+    "Material",
+    "Mesh",
+    "MorphTarget",
+    "Node",
+    "Scene",
+    "Skin",
+    "Texture",
+    "TextureSlot",
+    "__version__",
+    "errors",
+    "film",
+    "load",
+    "render",
+    "samples",
+    "visible",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """A public name, imported at its first use."""
+    if name not in _HOMES:
+        raise AttributeError(f"module 'eyeline' has no attribute {name!r}")
+    home = importlib.import_module(_HOMES[name])
+    value = home if name in _MODULES else getattr(home, name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)
