@@ -29,6 +29,15 @@ def compose(translation: npt.ArrayLike, rotation: npt.ArrayLike, scale: npt.Arra
     return matrix
 
 
+def product(a: FloatArray, b: FloatArray) -> FloatArray:
+    """a @ b of matrices (..., n, k) and (..., k, m), summed in order: BLAS rounds as the machine likes."""
+    terms = a[..., :, :, None] * b[..., None, :, :]
+    total = terms[..., 0, :].copy()
+    for k in range(1, terms.shape[-2]):
+        total += terms[..., k, :]
+    return total
+
+
 def decompose(matrix: npt.ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
     """(translation, rotation, scale) of matrices without shear; a mirror becomes a negative x scale."""
     m = np.asarray(matrix, dtype=np.float64)

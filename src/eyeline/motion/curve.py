@@ -110,5 +110,5 @@ def _turns(values: FloatArray, interpolation: str) -> FloatArray:
         return values
     turns = turns / lengths
     agrees = np.where((turns[1:] * turns[:-1]).sum(axis=1) < 0, -1.0, 1.0)
-    sides: FloatArray = np.cumprod(np.concatenate([[1.0], agrees]))
-    return turns * sides[:, None]
+    kept: FloatArray = turns * np.cumprod(np.concatenate([[1.0], agrees]))[:, None]
+    return kept

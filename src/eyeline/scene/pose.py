@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING
@@ -11,6 +11,8 @@ import numpy as np
 
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray, IntArray
+from eyeline.geometry.hierarchy import world_from_nodes
+from eyeline.scene.node import Node
 
 if TYPE_CHECKING:
     from eyeline.scene.scene import Scene
@@ -27,30 +29,25 @@ class Samples:
     parents: IntArray  # (N,) -1 is the world
     fixed: Mapping[int, FloatArray] = field(
         default_factory=dict
-    )  # nodes placed by a matrix (4, 4), which may shear
+    )  # nodes a matrix (4, 4) places; it may shear
 
     @classmethod
     def still(cls, scene: Scene, count: int) -> Samples:
         """`count` times the scene as it stands."""
-        parts = [
-            transform.decompose(node.matrix)
-            if node.matrix is not None
-            else (node.translation, node.rotation, node.scale)
-            for node in scene.nodes
-        ]
-        columns = [
-            np.array([part[k] for part in parts], dtype=np.float64).reshape(-1, (3, 4, 3)[k])
-            for k in range(3)
-        ]
-        repeated = [np.broadcast_to(column, (count, *column.shape)).copy() for column in columns]
+        places = places_of(scene.nodes)
+        for node, matrix in places.fixed.items():
+            parts = transform.decompose(matrix)
+            for column, part in zip((places.translation, places.rotation, places.scale), parts, strict=True):
+                column[0, node] = part
         weights = {
             index: np.tile(np.array(node.mesh.weights if node.weights is None else node.weights), (count, 1))
             for index, node in enumerate(scene.nodes)
             if node.mesh is not None and node.mesh.targets
         }
-        parents = np.array([node.parent for node in scene.nodes], dtype=np.int32)
-        fixed = {index: node.matrix for index, node in enumerate(scene.nodes) if node.matrix is not None}
-        return cls(repeated[0], repeated[1], repeated[2], weights, parents, fixed)
+        columns = [
+            np.repeat(one, count, axis=0) for one in (places.translation, places.rotation, places.scale)
+        ]
+        return cls(columns[0], columns[1], columns[2], weights, places.parents, places.fixed)
 
     @cached_property
     def local(self) -> FloatArray:
@@ -63,8 +60,16 @@ class Samples:
     @cached_property
     def world(self) -> FloatArray:
         """(T, N, 4, 4) world_from_node."""
-        world = self.local.copy()
-        for index, parent in enumerate(self.parents):
-            if parent >= 0:
-                world[:, index] = world[:, parent] @ world[:, index]
-        return world
+        return world_from_nodes(self.translation, self.rotation, self.scale, self.parents, self.fixed)
+
+
+def places_of(nodes: Sequence[Node]) -> Samples:
+    """Where nodes stand, once (T = 1); a node placed by a matrix is in `fixed` and at rest in the arrays."""
+    return Samples(
+        np.array([[node.translation for node in nodes]], dtype=np.float64).reshape(1, -1, 3),
+        np.array([[node.rotation for node in nodes]], dtype=np.float64).reshape(1, -1, 4),
+        np.array([[node.scale for node in nodes]], dtype=np.float64).reshape(1, -1, 3),
+        {},
+        np.array([node.parent for node in nodes], dtype=np.int32),
+        {index: node.matrix for index, node in enumerate(nodes) if node.matrix is not None},
+    )

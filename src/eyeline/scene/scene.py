@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -18,10 +17,8 @@ from eyeline.scene.camera import Camera
 from eyeline.scene.light import Light
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
+from eyeline.scene.pose import Samples, places_of
 from eyeline.scene.surface import Surface, surfaces_of
-
-if TYPE_CHECKING:
-    from eyeline.scene.pose import Samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +40,9 @@ class Scene:
                 raise SceneError(f"node {index} ({node.name!r}) has parent {node.parent}; parents come first")
 
     @classmethod
-    def of(cls, *things: Mesh | Node | Camera | Light, clips: Iterable[Animation] = (), name: str = "") -> Scene:
+    def of(
+        cls, *things: Mesh | Node | Camera | Light, clips: Iterable[Animation] = (), name: str = ""
+    ) -> Scene:
         """A scene of meshes, lights, cameras and ready nodes, side by side in the world."""
         nodes = []
         for index, thing in enumerate(things):
@@ -53,11 +52,15 @@ class Scene:
                 case Mesh():
                     nodes.append(Node(thing.name or f"mesh {index}", mesh=thing))
                 case Camera():
-                    nodes.append(Node(thing.name or f"camera {index}", matrix=thing.world_from_eye, camera=thing))
+                    nodes.append(
+                        Node(thing.name or f"camera {index}", matrix=thing.world_from_eye, camera=thing)
+                    )
                 case Light():
                     nodes.append(Node(thing.name or f"light {index}", light=thing))
                 case _:
-                    raise SceneError(f"a scene is made of meshes, nodes, cameras and lights, not {type(thing).__name__}")
+                    raise SceneError(
+                        f"a scene is made of meshes, nodes, cameras and lights, not {type(thing).__name__}"
+                    )
         return cls(tuple(nodes), tuple(clips), name=name)
 
     # --- names ------------------------------------------------------------------------------------------
@@ -90,7 +93,9 @@ class Scene:
         if len(found) == 1:
             return found[0]
         if found:
-            raise SceneError(f"{path!r} is the end of {len(found)} paths; say which: {self.paths[found[0]]!r} ...")
+            raise SceneError(
+                f"{path!r} is the end of {len(found)} paths; say which: {self.paths[found[0]]!r} ..."
+            )
         raise SceneError(f"there is no node {path!r}{suggestion(path, self.paths)}")
 
     def __getitem__(self, path: str | int) -> Node:
@@ -112,10 +117,7 @@ class Scene:
     @cached_property
     def world(self) -> FloatArray:
         """(N, 4, 4) world_from_node."""
-        world = np.empty((len(self.nodes), 4, 4))
-        for index, node in enumerate(self.nodes):
-            matrix = node.parent_from_node
-            world[index] = matrix if node.parent < 0 else world[node.parent] @ matrix
+        world: FloatArray = places_of(self.nodes).world[0]
         return world
 
     @cached_property
@@ -144,7 +146,9 @@ class Scene:
     def lights(self) -> tuple[tuple[Light, FloatArray], ...]:
         """Every light with its world_from_light (4, 4)."""
         return tuple(
-            (node.light, rigid(matrix)) for node, matrix in zip(self.nodes, self.world, strict=True) if node.light
+            (node.light, rigid(matrix))
+            for node, matrix in zip(self.nodes, self.world, strict=True)
+            if node.light
         )
 
     @property
@@ -171,8 +175,6 @@ class Scene:
 
     def sample(self, times: npt.ArrayLike, clip: str | int | None = None) -> Samples:
         """Node transforms and morph weights at many times (T,) at once; no scene is copied."""
-        from eyeline.scene.pose import Samples
-
         seconds = np.asarray(times, dtype=np.float64).reshape(-1)
         if not np.isfinite(seconds).all():
             raise SceneError("times hold a number that is not finite")

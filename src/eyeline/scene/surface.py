@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
+from eyeline.scene.deformation import morphed, skinned
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 
@@ -31,15 +32,21 @@ def surfaces_of(nodes: Sequence[Node], world: FloatArray) -> tuple[Surface, ...]
     """Every mesh of posed nodes; world: (N, 4, 4) world_from_node.
 
     A hidden one is among them and keeps its face numbers, so that hiding it renumbers no other.
+    A mesh that nothing bends stays the same object.
     """
     surfaces = []
     first = 0
     for index, node in enumerate(nodes):
         if node.mesh is None:
             continue
-        mesh = node.mesh
         visible = shown(nodes, index)
-        for matrix in placings(node, world[index]):
+        mesh = morphed(node.mesh, node.mesh.weights if node.weights is None else node.weights)
+        if node.skin is not None and mesh.joints is not None:
+            mesh, matrix = skinned(mesh, node, world)
+            matrices = [matrix]
+        else:
+            matrices = placings(node, world[index])
+        for matrix in matrices:
             surfaces.append(Surface(index, mesh, matrix, first, visible))
             first += len(mesh.faces)
     return tuple(surfaces)

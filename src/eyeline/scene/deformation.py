@@ -1,0 +1,85 @@
+"""Meshes bent by their node: morphed by its weights, then taken along by the joints of its skin."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from eyeline.deform import morph, skin
+from eyeline.errors import SceneError
+from eyeline.geometry import transform
+from eyeline.geometry.arrays import FloatArray
+from eyeline.scene.mesh import Mesh
+from eyeline.scene.node import Node
+from eyeline.scene.skin import Skin
+
+SKINNINGS: dict[str, skin.Skinning] = {"linear": skin.linear_blend, "dual_quaternion": skin.dual_quaternion}
+
+
+def morphed(mesh: Mesh, weights: Sequence[float]) -> Mesh:
+    """The mesh blended with its targets; itself where no weight moves anything.
+
+    Attributes that a target leaves out stay; normals and tangents stay unit, colours within 0..1.
+    """
+    targets = mesh.targets
+    if len(weights) != len(targets):
+        raise SceneError(f"mesh {mesh.name!r} has {len(targets)} morph targets and {len(weights)} weights")
+    if not any(weights):
+        return mesh
+    values: dict[str, Any] = {"points": morph.blend(mesh.points, [one.points for one in targets], weights)}
+    if mesh.normals is not None:
+        normals = [one.normals for one in targets]
+        values["normals"] = morph.blend_directions(mesh.normals, normals, weights)
+    if mesh.tangents is not None:
+        tangents = [one.tangents for one in targets]
+        values["tangents"] = morph.blend_directions(mesh.tangents, tangents, weights)
+    if mesh.colors is not None:
+        colors = morph.blend(mesh.colors, [one.colors for one in targets], weights)
+        values["colors"] = colors if colors is mesh.colors else np.clip(colors, 0, 1)
+    values["uv"] = tuple(
+        morph.blend(pairs, [one.uv[index] if index < len(one.uv) else None for one in targets], weights)
+        for index, pairs in enumerate(mesh.uv)
+    )
+    return mesh.changed(**values)
+
+
+def skinned(mesh: Mesh, node: Node, world: FloatArray) -> tuple[Mesh, FloatArray]:
+    """The mesh where the joints of the node's skin have taken it, and its world_from_mesh (4, 4).
+
+    world: (N, 4, 4) world_from_node. The points are in the world; the node's own place does not count.
+    Where the joints mirror the mesh, so does world_from_mesh, so that front faces stay known as such.
+    """
+    assert node.skin is not None and mesh.joints is not None and mesh.influences is not None
+    _refuse_joints(mesh, node)
+    matrices = joint_matrices(node.skin, world)
+    placing = transform.identity()
+    if np.median(_determinants(matrices)) < 0:
+        placing[0, 0] = -1
+        matrices[:, 0] *= -1
+    points, normals, tangents = SKINNINGS[node.skin.blending](
+        mesh.points, mesh.normals, mesh.tangents, mesh.joints, mesh.influences, matrices
+    )
+    return mesh.changed(points=points, normals=normals, tangents=tangents), placing
+
+
+def joint_matrices(skin: Skin, world: FloatArray) -> FloatArray:
+    """(J, 4, 4) from where the mesh was bound to the world."""
+    return transform.product(world[list(skin.joints)], np.asarray(skin.joint_from_mesh, dtype=np.float64))
+
+
+def _determinants(matrices: FloatArray) -> FloatArray:
+    a, b, c = (matrices[:, :3, k] for k in range(3))
+    determinants: FloatArray = (a * np.cross(b, c)).sum(axis=1)
+    return determinants
+
+
+def _refuse_joints(mesh: Mesh, node: Node) -> None:
+    assert node.skin is not None and mesh.joints is not None
+    count = len(node.skin.joints)
+    # Read as unsigned, a negative number is too large as well
+    if mesh.joints.size and mesh.joints.view(np.uint32).max() >= count:
+        raise SceneError(
+            f"the mesh of node {node.name!r} names joint {mesh.joints.max()}; its skin has {count}"
+        )
