@@ -8,6 +8,7 @@ import pytest
 from eyeline.errors import OptionError
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.scene.camera import Camera
+from eyeline.visibility import METHODS
 from eyeline.visibility import fragments as room
 from eyeline.visibility.fragments import Fragments, fragments
 
@@ -167,6 +168,17 @@ def test_nearest_is_the_last_of_each_list():
     face, depth = fragments(projected, nothing(projected)).nearest()
     for pixel, one in enumerate(brute_force(projected, nothing(projected))):
         assert (float(depth.flat[pixel]), int(face.flat[pixel])) == (one[-1] if one else (0.0, -1))
+
+
+@pytest.mark.parametrize("coarse", [False, True])
+@pytest.mark.parametrize("reach", [2.0, 12.0, 4000.0])
+@pytest.mark.parametrize("seed", range(3))
+def test_nearest_fragment_is_what_the_depth_buffer_sees(seed, reach, coarse):
+    projected = soup(seed, 400, reach, coarse)
+    visible = METHODS["zbuffer"](projected)
+    face, depth = fragments(projected, nothing(projected)).nearest()
+    assert face.tobytes() == np.where(visible.depth > 0, visible.face, -1).astype(np.int32).tobytes()
+    assert depth.tobytes() == np.maximum(visible.depth, 0).tobytes()
 
 
 def test_too_many_layers_are_refused_before_memory_is_taken(monkeypatch):
