@@ -13,8 +13,12 @@ from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
 from eyeline.shading.backdrop import backdrop
+from eyeline.shading.geometry_table import Geometry, geometry_of, meshes_of
+from eyeline.shading.light_table import light_table
 from eyeline.shading.look import Look
+from eyeline.shading.material_table import Materials, materials_of
 from eyeline.shading.resolve import Layers, resolve
+from eyeline.shading.studio import Lighting, lighting_of
 from eyeline.shading.surface_points import GRID, SurfacePoints, distinct_points
 from eyeline.visibility.method import Visible
 
@@ -46,6 +50,38 @@ class Frame:
     def backdrop(self) -> ByteArray:
         """(H, W, 4) the picture where nothing stands."""
         return backdrop(self.look.background, *self.size)
+
+    @cached_property
+    def _materials(self) -> tuple[Materials, list[int]]:
+        return materials_of(meshes_of(self.projected))
+
+    @property
+    def materials(self) -> Materials:
+        """Every material, as numbers."""
+        return self._materials[0]
+
+    @cached_property
+    def geometry(self) -> Geometry:
+        """Every mesh, as flat arrays."""
+        return geometry_of(self.projected, self._materials[1])
+
+    @cached_property
+    def lighting(self) -> Lighting:
+        """What shines."""
+        return lighting_of(self.scene, self.projected.camera)
+
+    @cached_property
+    def light_table(self) -> FloatArray:
+        """(L, 14) float32."""
+        return light_table(self.lighting.lights, self.projected.camera.world_from_eye[:3, 3])
+
+    @cached_property
+    def sight(self) -> FloatArray:
+        """(4,) float32: the direction to an orthographic eye, or 0, and 1 for a perspective one."""
+        camera = self.projected.camera
+        if camera.fov is None:
+            return np.array([*camera.world_from_eye[:3, 2], 0.0], np.float32)
+        return np.array([0.0, 0.0, 0.0, 1.0], np.float32)
 
     def drawn(self, colour_of: Callable[[Strip], FloatArray | tuple[FloatArray, Layers]]) -> ByteArray:
         """The picture (H, W, 4) whose surface points have the colours that `colour_of` gives.

@@ -1,0 +1,196 @@
+"""What a surface is like at each point: place, normals, colours, found from the face's own three corners."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from eyeline.jit import helper, kernel
+from eyeline.shading.barycentric import corners_of, edges_of, mixed, shares_at
+from eyeline.shading.geometry_table import (
+    COLORS,
+    FACE_MATERIAL,
+    MATERIAL,
+    NORMAL,
+    NORMALS,
+    POINTS,
+    WORLD,
+)
+from eyeline.shading.lanes import (
+    ALPHA,
+    BLUE,
+    COVER,
+    EMISSIVE_BLUE,
+    EMISSIVE_GREEN,
+    EMISSIVE_RED,
+    GREEN,
+    GX,
+    GY,
+    GZ,
+    METALLIC,
+    NX,
+    NY,
+    NZ,
+    OCCLUSION,
+    RED,
+    ROUGHNESS,
+    UNLIT,
+    X,
+    Y,
+    Z,
+)
+from eyeline.shading.material_table import BASE, BLENDED, EMISSION, METAL, NO_LIGHT, ROUGH
+from eyeline.shading.texturing import has_textures, texture_point
+
+
+@kernel
+def gather(geometry, materials, decoded, points, begin, end, faceted, lanes):
+    """Fill the lanes of points begin .. end; points: their (face, x, y) arrays.
+
+    faceted: the face's own normal in place of the interpolated one.
+    """
+    faces, xs, ys = points
+    surface, current = 0, -1
+    for point in range(begin, end):
+        lane = point - begin
+        if faces[point] != current:
+            current = faces[point]
+            surface = surface_of(geometry.first_faces, current, surface)
+            face = current - geometry.first_faces[surface]
+            corners = corners_of(geometry, surface, face)
+            edges, side = edges_of(geometry, surface, corners)
+            facing = face_normal(geometry, surface, corners, side)
+            material = geometry.places[surface, MATERIAL]
+            if geometry.places[surface, FACE_MATERIAL] >= 0:
+                material += geometry.face_material[geometry.places[surface, FACE_MATERIAL] + face]
+            textured = has_textures(materials.slots, material)
+            flat = faceted or geometry.places[surface, NORMALS] < 0
+            coloured = geometry.places[surface, COLORS] >= 0
+        shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
+        write_place(geometry, surface, corners, shares, lanes, lane)
+        lanes[GX, lane], lanes[GY, lane], lanes[GZ, lane] = facing
+        if flat:
+            lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = facing
+        else:
+            write_normal(geometry, surface, corners, shares, side, lanes, lane)
+        write_material(materials.factors, material, lanes, lane)
+        if coloured:
+            tint(geometry, surface, corners, shares, lanes, lane)
+        if textured:
+            texture_point(
+                geometry,
+                materials,
+                decoded,
+                surface,
+                material,
+                corners,
+                edges,
+                shares,
+                scale,
+                side,
+                lanes,
+                lane,
+            )
+        lanes[ALPHA, lane] = lanes[COVER, lane] if materials.factors[material, BLENDED] > 0 else np.float32(1)
+
+
+@helper
+def surface_of(first_faces, face, likely):
+    """The surface a scene face belongs to, looked for first where the last one was."""
+    if first_faces[likely] <= face < first_faces[likely + 1]:
+        return likely
+    low, high = 0, first_faces.shape[0] - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if first_faces[middle] <= face:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@helper
+def face_normal(geometry, surface, corners, side):
+    """The normal of a face towards the eye, of any length, world axes."""
+    first = geometry.places[surface, POINTS]
+    a, b, c = 3 * (first + corners[0]), 3 * (first + corners[1]), 3 * (first + corners[2])
+    points = geometry.points
+    x, y, z = float(points[a]), float(points[a + 1]), float(points[a + 2])
+    ux, uy, uz = points[b] - x, points[b + 1] - y, points[b + 2] - z
+    vx, vy, vz = points[c] - x, points[c + 1] - y, points[c + 2] - z
+    nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+    longest = max(abs(nx), abs(ny), abs(nz))
+    scale = side / longest if longest > 0 else 1.0
+    return turned(geometry.matrices, surface, NORMAL, 3, nx * scale, ny * scale, nz * scale)
+
+
+@helper
+def turned(matrices, surface, start, width, x, y, z):
+    """A direction by three columns of a matrix that begins at column `start`, rows `width` apart; float32."""
+    m = matrices
+    a, b, c = start, start + width, start + 2 * width
+    return (
+        np.float32(m[surface, a] * x + m[surface, a + 1] * y + m[surface, a + 2] * z),
+        np.float32(m[surface, b] * x + m[surface, b + 1] * y + m[surface, b + 2] * z),
+        np.float32(m[surface, c] * x + m[surface, c + 1] * y + m[surface, c + 2] * z),
+    )
+
+
+@helper
+def write_place(geometry, surface, corners, shares, lanes, lane):
+    """Where the point is, from the eye."""
+    first = geometry.places[surface, POINTS]
+    x = mixed(geometry.points, 3, 0, first, corners, shares)
+    y = mixed(geometry.points, 3, 1, first, corners, shares)
+    z = mixed(geometry.points, 3, 2, first, corners, shares)
+    m = geometry.matrices
+    lanes[X, lane] = (
+        m[surface, WORLD] * x + m[surface, WORLD + 1] * y + m[surface, WORLD + 2] * z + m[surface, WORLD + 3]
+    )
+    lanes[Y, lane] = (
+        m[surface, WORLD + 4] * x
+        + m[surface, WORLD + 5] * y
+        + m[surface, WORLD + 6] * z
+        + m[surface, WORLD + 7]
+    )
+    lanes[Z, lane] = (
+        m[surface, WORLD + 8] * x
+        + m[surface, WORLD + 9] * y
+        + m[surface, WORLD + 10] * z
+        + m[surface, WORLD + 11]
+    )
+
+
+@helper
+def write_normal(geometry, surface, corners, shares, side, lanes, lane):
+    """The interpolated normal, on the side the eye sees."""
+    first = geometry.places[surface, NORMALS]
+    x = mixed(geometry.normals, 3, 0, first, corners, shares) * side
+    y = mixed(geometry.normals, 3, 1, first, corners, shares) * side
+    z = mixed(geometry.normals, 3, 2, first, corners, shares) * side
+    lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = turned(geometry.matrices, surface, NORMAL, 3, x, y, z)
+
+
+@helper
+def write_material(factors, material, lanes, lane):
+    """What the material says without textures."""
+    lanes[RED, lane] = factors[material, BASE]
+    lanes[GREEN, lane] = factors[material, BASE + 1]
+    lanes[BLUE, lane] = factors[material, BASE + 2]
+    lanes[COVER, lane] = factors[material, BASE + 3]
+    lanes[METALLIC, lane] = factors[material, METAL]
+    lanes[ROUGHNESS, lane] = factors[material, ROUGH]
+    lanes[EMISSIVE_RED, lane] = factors[material, EMISSION]
+    lanes[EMISSIVE_GREEN, lane] = factors[material, EMISSION + 1]
+    lanes[EMISSIVE_BLUE, lane] = factors[material, EMISSION + 2]
+    lanes[UNLIT, lane] = factors[material, NO_LIGHT]
+    lanes[OCCLUSION, lane] = np.float32(1)
+
+
+@helper
+def tint(geometry, surface, corners, shares, lanes, lane):
+    """Multiply the base colour by the vertex colour."""
+    first = geometry.places[surface, COLORS]
+    lanes[RED, lane] *= mixed(geometry.colors, 4, 0, first, corners, shares)
+    lanes[GREEN, lane] *= mixed(geometry.colors, 4, 1, first, corners, shares)
+    lanes[BLUE, lane] *= mixed(geometry.colors, 4, 2, first, corners, shares)
+    lanes[COVER, lane] *= mixed(geometry.colors, 4, 3, first, corners, shares)

@@ -1,0 +1,25 @@
+"""The product photograph: materials under lights, with shadows, on a studio floor."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from eyeline.geometry.arrays import ByteArray
+from eyeline.shading.point_shading import colours_of
+
+if TYPE_CHECKING:
+    from eyeline.shading.frame import Frame
+
+
+@dataclass(frozen=True)
+class Shaded:
+    """Metallic-roughness materials under the scene's lights, or the studio's."""
+
+    name: str = "shaded"
+    lit: bool = True
+    faceted: bool = False  # each face by its own normal
+
+    def __call__(self, frame: Frame) -> ByteArray:
+        """The picture (H, W, 4)."""
+        return frame.drawn(lambda strip: colours_of(frame, strip.points, faceted=self.faceted))
