@@ -38,7 +38,7 @@ def _of_each_face(
     columns = []
     for surface in surfaces:
         mesh = surface.mesh
-        values = np.array([told(material) for material in mesh.materials], kind)
+        values: npt.NDArray[Any] = np.array([told(material) for material in mesh.materials], kind)
         if mesh.face_material is None:
             columns.append(np.broadcast_to(values[:1], len(mesh.faces)))
         else:

@@ -12,8 +12,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from eyeline.errors import OptionError
-from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray
+from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from eyeline.jit import kernel
+from eyeline.shading.alpha import faces_of, has
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.resolve import Layers
 from eyeline.shading.surface_points import SurfacePoints
@@ -39,6 +40,15 @@ def stacked(frame: Frame, wanted: BoolArray, through: bool = False) -> tuple[Fra
                 " take fewer samples or a smaller picture"
             )
     return tuple(stack)
+
+
+def drawn_through(frame: Frame, shader: Shader) -> ByteArray:
+    """The picture (H, W, 4) of a frame whose solid and blended faces are shaded alike."""
+    surfaces = frame.projected.surfaces
+    stack = stacked(frame, faces_of(surfaces, "blend")) if has(surfaces, "blend") else ()
+    if not any(map(len, stack)):
+        return frame.drawn(lambda strip: shader(strip.points))
+    return frame.drawn(lambda strip: (shader(strip.points), layers(strip, stack, shader)))
 
 
 def layers(strip: Strip, stack: Sequence[Fragments], shader: Shader) -> Layers:

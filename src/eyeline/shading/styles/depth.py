@@ -14,10 +14,10 @@ from eyeline.visibility.method import Visible
 
 @dataclass(frozen=True)
 class Depth:
-    """Grey by the distance along the view axis, in even steps of the 8 bits from the nearest seen to the farthest.
+    """Grey by the distance along the view axis, in even steps from the nearest that is seen to the farthest.
 
-    `nearest` and `farthest` are display values 0..1. All at one distance is drawn as nearest. `eyeline.visible`
-    gives the metres themselves.
+    nearest, farthest: their display values, 0..1; what lies all at one distance is drawn as nearest.
+    `eyeline.visible` gives the metres themselves.
     """
 
     name: str = "depth"

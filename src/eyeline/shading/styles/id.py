@@ -21,9 +21,10 @@ CHROMA = 0.13
 
 @dataclass(frozen=True)
 class Id:
-    """A colour for each node, or for each face; it follows from the number alone, so it is the same in every frame.
+    """A colour for each node, or for each face.
 
-    Silhouettes are antialiased, so that there colours mix; `eyeline.visible` gives the numbers themselves.
+    It follows from the number alone, so it is the same in every frame and from every side. Silhouettes are
+    antialiased, so that there colours mix; `eyeline.visible` gives the numbers themselves.
     """
 
     name: str = "id"
@@ -71,4 +72,5 @@ def linear_from_oklab(lightness: FloatArray, a: FloatArray, b: FloatArray) -> Fl
             [-0.0041960863, -0.7034186147, 1.7076147010],
         ]
     )
-    return np.clip(cones**3 @ mix.T, 0, 1)
+    linear: FloatArray = np.clip(cones**3 @ mix.T, 0, 1)
+    return linear

@@ -22,7 +22,7 @@ def before(frame: Frame, colour: Colour) -> Frame:
 
 
 def exact(shown: FloatArray) -> FloatArray:
-    """(K, 4) float32 linear, opaque, of display values (K, 3) 0..1 rounded to 8 bits: they pass undithered."""
+    """(K, 4) float32 linear, opaque, of display values (K, 3) 0..1; rounded to 8 bits, so not dithered."""
     steps = np.rint(np.clip(shown, 0, 1) * 255).astype(np.intp)
     colour = np.ones((len(steps), 4), np.float32)
     colour[:, :3] = DECODED[steps]

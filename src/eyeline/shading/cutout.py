@@ -1,0 +1,96 @@
+"""What is seen through holes: faces whose texture says where they end. [glTF 2.0, 3.9.4]
+
+A method takes faces as solid. So faces of alpha mode "mask" are left out of its question and come back as
+fragments; at every sample the nearest one that is no hole stands against the method's answer.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from eyeline.geometry.arrays import BoolArray, FloatArray
+from eyeline.jit import share, threads
+from eyeline.projection.projected import Projected
+from eyeline.scene.scene import Scene
+from eyeline.shading.alpha import cutoffs_of, faces_of, has
+from eyeline.shading.frame import Frame
+from eyeline.shading.lanes import COVER
+from eyeline.shading.look import Look
+from eyeline.shading.point_shading import attributes_of
+from eyeline.shading.surface_points import GRID, SurfacePoints
+from eyeline.visibility.fragments import Fragments, fragments
+from eyeline.visibility.method import Method, Visible
+
+CHUNK = 1 << 15  # fragments whose texture is looked up together
+
+Shift = tuple[int, int]  # of a sample beside its pixel's centre, 1/256 pixel
+
+
+def see(
+    scene: Scene,
+    projected: Projected,
+    method: Method,
+    shifts: Sequence[Shift] = ((0, 0),),
+    *,
+    see_through: bool = False,
+) -> list[tuple[Visible, int, int]]:
+    """What a method sees at each sample, with holes where masks say so, and the sample's shift.
+
+    see_through: faces of alpha mode "blend" are left out, to be composited over the answer; otherwise they
+    are solid.
+    """
+    masked, blended = has(projected.surfaces, "mask"), see_through and has(projected.surfaces, "blend")
+    wanted = np.ones(projected.face_count, bool)
+    if masked:
+        wanted &= ~faces_of(projected.surfaces, "mask")
+    if blended:
+        wanted &= ~faces_of(projected.surfaces, "blend")
+    solid = projected.only(wanted) if masked or blended else projected
+    answers = [(replace(method(solid.shifted(dx, dy)), scene=scene), dx, dy) for dx, dy in shifts]
+    if not masked:
+        return answers
+    frame = Frame(scene, projected, (), Look())
+    return [(through_holes(visible, frame, dx, dy), dx, dy) for visible, dx, dy in answers]
+
+
+def through_holes(solid: Visible, frame: Frame, dx: int, dy: int) -> Visible:
+    """The answer about solid faces, with masked faces of the frame in front of it but for their holes."""
+    projected = frame.projected
+    cutoffs = cutoffs_of(projected.surfaces)
+    masked = projected.only(faces_of(projected.surfaces, "mask")).shifted(dx, dy)
+    # A masked face at the very depth of a solid one counts if its number is lower, so it must be listed
+    found = fragments(masked, np.nextafter(solid.depth, np.float32(0)))
+    face, depth = found.only(is_there(frame, found, cutoffs, (dx, dy))).nearest()
+    nearer = (depth > solid.depth) | ((depth == solid.depth) & (depth > 0) & (face < solid.face))
+    return replace(
+        solid,
+        face=np.where(nearer, face, solid.face),
+        depth=np.where(nearer, depth, solid.depth),
+        projected=projected.shifted(dx, dy),
+        work={**solid.work, "alpha tests": len(found)},
+    )
+
+
+def is_there(frame: Frame, found: Fragments, cutoffs: FloatArray, shift: Shift) -> BoolArray:
+    """(K,) whether the surface is there at each fragment: its alpha reaches its face's cutoff."""
+    there = np.empty(len(found), bool)
+    pixels, width = found.pixel, found.width
+    dx, dy = (0.5 + part / GRID for part in shift)
+
+    def test(part: int) -> None:
+        for begin in range(part * CHUNK, len(found), threads() * CHUNK):
+            chosen = slice(begin, begin + CHUNK)
+            row, column = np.divmod(pixels[chosen], width)
+            face = found.face[chosen]
+            points = SurfacePoints(
+                pixels[chosen].astype(np.int32), face,
+                (column + dx).astype(np.float32), (row + dy).astype(np.float32),
+            )  # fmt: skip
+            there[chosen] = attributes_of(frame, points)[COVER, : len(face)] >= cutoffs[face]
+
+    frame.geometry  # noqa: B018  made once, before threads ask for it
+    share(test, threads())
+    return there
