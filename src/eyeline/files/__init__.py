@@ -40,6 +40,11 @@ GLTF = Reader("glTF 2.0", "eyeline.files.gltf", several_scenes=True)
 READERS: dict[str, Reader] = {
     ".gltf": GLTF,
     ".glb": GLTF,
+    ".obj": Reader("OBJ", "eyeline.files.meshes.obj"),
+    ".ply": Reader("PLY", "eyeline.files.meshes.ply"),
+    ".stl": Reader("STL", "eyeline.files.meshes.stl"),
+    ".off": Reader("OFF", "eyeline.files.meshes.off"),
+    ".3mf": Reader("3MF", "eyeline.files.meshes.threemf"),
 }
 
 
