@@ -8,8 +8,6 @@ import eyeline
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 
-from extensions import gallery  # noqa: E402  (the folder is on the path only now)
-
 project = "eyeline"
 author = "the eyeline developers"
 project_copyright = author
@@ -34,10 +32,23 @@ nitpicky = False
 # --- text ---------------------------------------------------------------------------------------------------
 
 myst_enable_extensions = ["colon_fence", "deflist", "dollarmath"]
+smartquotes = False
 myst_heading_anchors = 3
 python_use_unqualified_type_names = True
 python_display_short_literal_types = True
 python_maximum_signature_line_length = 88
+autodoc_type_aliases = {
+    name: name
+    for name in (
+        "FloatArray",
+        "IntArray",
+        "ByteArray",
+        "BoolArray",
+        "npt.ArrayLike",
+        "Colour",
+        "CameraChoice",
+    )
+}
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_typehints_format = "short"
@@ -49,7 +60,7 @@ sphinx_gallery_conf = {
     "examples_dirs": str(HERE.parent / "examples"),
     "gallery_dirs": "gallery",
     "filename_pattern": r"/plot_",
-    "image_scrapers": (gallery.saved_pictures,),
+    "image_scrapers": ("extensions.gallery.saved_pictures",),
     "reset_modules": (),
     "within_subsection_order": "FileNameSortKey",
     "remove_config_comments": True,

@@ -32,10 +32,15 @@ def plain(app: Sphinx, kind: str, name: str, thing: Any, options: Any, lines: li
     text = textwrap.dedent("\n".join(lines)).strip("\n")
     if text.startswith(f"{getattr(thing, '__name__', '')}(") and is_dataclass(thing):
         text = ""  # dataclasses write their signature where nobody wrote a docstring
-    lines[:] = "\n\n".join(paragraph(part) for part in re.split(r"\n\s*\n", text)).splitlines()
+    lines[:] = plain_text(text).splitlines()
     if kind == "class" and is_dataclass(thing):
         lines += ["", *listed(thing)]
     lines.append("")
+
+
+def plain_text(text: str) -> str:
+    """A docstring as reStructuredText."""
+    return "\n\n".join(paragraph(part) for part in re.split(r"\n\s*\n", text))
 
 
 def paragraph(text: str) -> str:

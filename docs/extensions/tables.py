@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, ClassVar
 
 from docutils import nodes
@@ -11,8 +11,9 @@ from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
 import eyeline
+from extensions import reference
 
-MODULES = ("errors", "samples")
+SIZE = (640, 360)
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
@@ -55,32 +56,28 @@ def readers(_: str) -> str:
     return ", ".join(f"`{suffix}`" for suffix in sorted(READERS))
 
 
-def counters(name: str) -> str:
-    """What one method counts on a sample scene."""
-    seen = eyeline.visible(eyeline.samples.teapot(), size=(640, 360), method=name)
-    lines = ["| counter | teapot, 640x360 |", "|---|--:|"]
-    lines += [f"| {counter} | {count:,} |" for counter, count in seen.work.items()]
+def work(name: str) -> str:
+    """What one method counts on the teapot."""
+    seen = eyeline.visible(eyeline.samples.teapot(), size=SIZE, method=name)
+    return counted({"teapot": seen.work})
+
+
+def work_culled(_: str) -> str:
+    """What the depth buffer counts on a closed body with and without its back faces."""
+    torus = eyeline.samples.torus()
+    return counted(
+        {f'cull="{cull}"': eyeline.visible(torus, size=SIZE, cull=cull).work for cull in ("none", "back")}
+    )
+
+
+def counted(columns: dict[str, Mapping[str, int]]) -> str:
+    """A table of counters, a column for each run."""
+    lines = [f"| {SIZE[0]}x{SIZE[1]} pixels | {' | '.join(columns)} |", f"|---|{'--:|' * len(columns)}"]
+    lines += [
+        f"| {counter} | {' | '.join(f'{work[counter]:,}' for work in columns.values())} |"
+        for counter in next(iter(columns.values()))
+    ]
     return "\n".join(lines)
-
-
-def public_names(_: str) -> str:
-    """A reference of everything in `eyeline.__all__`."""
-    functions, classes, modules = [], [], []
-    for name in eyeline.__all__:
-        thing = getattr(eyeline, name)
-        if name in MODULES:
-            modules.append(f"## eyeline.{name}\n\n{quoted(f'.. automodule:: {thing.__name__}', 'members')}")
-        elif inspect.isclass(thing):
-            classes.append(f"### {name}\n\n{quoted(f'.. autoclass:: eyeline.{name}', 'members')}")
-        elif callable(thing):
-            functions.append(f"### {name}\n\n{quoted(f'.. autofunction:: eyeline.{name}')}")
-    return "\n\n".join(["## Functions", *functions, "## Classes", *classes, *modules])
-
-
-def quoted(directive: str, *options: str) -> str:
-    """reStructuredText inside Markdown."""
-    lines = [directive, *(f"   :{option}:" for option in options)]
-    return "\n".join(["```{eval-rst}", *lines, "```"])
 
 
 def idea(thing: Any) -> str:
@@ -92,6 +89,7 @@ WRITERS: dict[str, Callable[[str], str]] = {
     "methods-table": methods,
     "styles-table": styles,
     "readers-list": readers,
-    "work-of": counters,
-    "public-names": public_names,
+    "work-of": work,
+    "work-culled": work_culled,
+    "public-names": reference.public_names,
 }
