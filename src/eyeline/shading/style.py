@@ -21,6 +21,10 @@ class Style(Protocol):
     def lit(self) -> bool:
         """Whether lights, shadows and the studio ground play a part."""
 
+    @property
+    def see_through(self) -> bool:
+        """Whether blended surfaces let light through; otherwise they are drawn as solid."""
+
     def __call__(self, frame: Frame) -> ByteArray:
         """The picture (H, W, 4), straight alpha, sRGB.
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from eyeline.geometry.arrays import ByteArray
 from eyeline.shading.point_shading import colours_of
+from eyeline.shading.transparency import drawn_through
 
 if TYPE_CHECKING:
     from eyeline.shading.frame import Frame
@@ -18,8 +19,9 @@ class Shaded:
 
     name: str = "shaded"
     lit: bool = True
+    see_through: bool = True
     faceted: bool = False  # each face by its own normal
 
     def __call__(self, frame: Frame) -> ByteArray:
         """The picture (H, W, 4)."""
-        return frame.drawn(lambda strip: colours_of(frame, strip.points, faceted=self.faceted))
+        return drawn_through(frame, lambda points: colours_of(frame, points, faceted=self.faceted))
