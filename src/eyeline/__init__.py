@@ -9,14 +9,13 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from eyeline import errors
+    from eyeline import errors, samples
     from eyeline.files import load
     from eyeline.motion import Clip
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
     from eyeline.render.image import Image
     from eyeline.render.visible import visible
-    from eyeline import samples
     from eyeline.scene.camera import Camera
     from eyeline.scene.light import Light
     from eyeline.scene.material import Material

@@ -90,7 +90,7 @@ def films() -> dict[str, str]:
 
 def samples() -> list[str]:
     """The names of the built-in models."""
-    from eyeline.scene.samples import SAMPLES
+    from eyeline.samples import SAMPLES
 
     return [f"sample:{name}" for name in SAMPLES]
 

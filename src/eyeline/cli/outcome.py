@@ -12,6 +12,7 @@ import tempfile
 import threading
 import traceback
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -54,8 +55,21 @@ def call(arguments: list[str]) -> int:
         return INTERRUPTED
     except usage_error as reason:
         asked = reason.ctx.command_path if reason.ctx else "eyeline"
-        sentence = reason.format_message().rstrip(".")
-        return refuse(f"{sentence[:1].lower()}{sentence[1:]}; `{asked} --help` tells what there is")
+        return refuse(f"{usage_sentence(reason, arguments)}; `{asked} --help` tells what there is")
+
+
+def usage_sentence(reason: Any, arguments: list[str]) -> str:
+    """What is wrong with a command line; a number that is none is named by its value."""
+    import typer
+
+    sentence = str(reason.format_message()).rstrip(".")
+    if isinstance(reason, typer.BadParameter) and reason.param and sentence.startswith("Invalid value"):
+        wanted = "a whole number" if "integer" in sentence else "a number"
+        for word, following in pairwise([*arguments, ""]):
+            option, _, joined = word.partition("=")
+            if option in reason.param.opts:
+                return f"{option} is {joined or following!r}; {wanted} is needed"
+    return f"{sentence[:1].lower()}{sentence[1:]}"
 
 
 def stop_at_terminate() -> None:

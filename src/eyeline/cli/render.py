@@ -102,7 +102,7 @@ def is_still(output: Path, span: dict[str, float], resume: bool) -> bool:
 
 def still(scene: str, output: Path, time: float, options: dict[str, Any]) -> dict[str, Any]:
     """Make and save one picture."""
-    from eyeline.render import render as picture_of
+    from eyeline.render.frame import render as picture_of
     from eyeline.render.shot import shot_of
     from eyeline.render.whole import refuse_place
 
@@ -122,6 +122,7 @@ def moving(
     from eyeline.render.shot import shot_of
 
     encoder = encoder_for(output)
+    encoder.check(output)
     shot_of(**options)
     shown = film(scene_of(scene), **span, **options)
     notes = encoder.notes(shown.job())

@@ -6,6 +6,7 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
 
 from eyeline.errors import OptionError
@@ -49,13 +50,13 @@ def background_of(text: str) -> Any:
         ) from None
     from eyeline.shading.encoding import linear_from_srgb
 
-    return tuple(float(channel) for channel in linear_from_srgb([one / 255 for one in shown]))
+    return tuple(linear_from_srgb(np.array(shown) / 255).tolist())
 
 
 def scene_of(name: str) -> Scene:
     """A scene from a file, or a built-in one."""
     if name.startswith(SAMPLE):
-        from eyeline.scene.samples import SAMPLES
+        from eyeline.samples import SAMPLES
         from eyeline.scene.scene import suggestion
 
         wanted = name.removeprefix(SAMPLE)

@@ -40,10 +40,11 @@ def picture(posed: Scene, camera: Camera, shot: Shot) -> Image:
     """A posed scene through a camera."""
     from eyeline.projection import project
     from eyeline.render.image import Image
-    from eyeline.shading.shade import shade
+    from eyeline.shading import STYLES, shade
+    from eyeline.shading.cutout import see
     from eyeline.visibility import METHODS
 
     projected = project(posed, camera, shot.size, shot.cull)
-    method = METHODS[shot.method]
-    visibles = [(method(projected.shifted(dx, dy)), dx, dy) for dx, dy in sample_positions(shot.samples)]
+    method, shifts = METHODS[shot.method], sample_positions(shot.samples)
+    visibles = see(posed, projected, method, shifts, see_through=STYLES[shot.look.style].see_through)
     return Image(shade(posed, projected, visibles, shot.look))

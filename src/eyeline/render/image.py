@@ -43,6 +43,21 @@ class Image:
         """(width, height) in pixels."""
         return self.pixels.shape[1], self.pixels.shape[0]
 
+    @property
+    def is_opaque(self) -> bool:
+        """Whether nothing shines through."""
+        return bool((self.pixels[..., 3] == 255).all())
+
+    @property
+    def opaque(self) -> ByteArray:
+        """(H, W, 3) on white paper, for files that know no transparency."""
+        color, alpha = self.pixels[..., :3], self.pixels[..., 3:]
+        if self.is_opaque:
+            return np.ascontiguousarray(color)
+        opacity = alpha / 255
+        shown: ByteArray = (color * opacity + 255 * (1 - opacity) + 0.5).astype(np.uint8)
+        return shown
+
     def save(self, path: str | Path) -> Path:
         """Write a .png, .jpg or .webp; the file appears whole or not at all."""
         path = Path(path)
@@ -50,7 +65,7 @@ class Image:
             raise FileError(f"{path}: {path.suffix or 'no suffix'} is no picture; use {', '.join(FORMATS)}")
         format_name, options = FORMATS[path.suffix.lower()]
         with whole_file(path) as unfinished:
-            self._pillow(opaque=format_name == "JPEG").save(unfinished, format_name, **options)
+            self._pillow(format_name == "JPEG").save(unfinished, format_name, **options)
         return path
 
     def _repr_png_(self) -> bytes:
@@ -58,8 +73,7 @@ class Image:
         self._pillow().save(kept, "PNG", **PNG)
         return kept.getvalue()
 
-    def _pillow(self, opaque: bool = False) -> PIL.Image.Image:
+    def _pillow(self, without_alpha: bool = False) -> PIL.Image.Image:
         import PIL.Image
 
-        opaque = opaque or bool((self.pixels[..., 3] == 255).all())
-        return PIL.Image.fromarray(np.ascontiguousarray(self.pixels[..., :3]) if opaque else self.pixels)
+        return PIL.Image.fromarray(self.opaque if without_alpha or self.is_opaque else self.pixels)

@@ -6,13 +6,16 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from eyeline.errors import OptionError
+from eyeline.projection.project import checked_size
+from eyeline.projection.sides import checked_cull
 from eyeline.render.sampling import sample_positions
-from eyeline.render.viewpoint import CameraChoice, checked_size
+from eyeline.render.viewpoint import CameraChoice
 from eyeline.scene.scene import suggestion
 from eyeline.shading.look import Look
+from eyeline.visibility import method_named
 
 SIZE = (1280, 720)
-CULLING = ("auto", "back", "none")
+MOST_PIXELS = 1 << 26  # so that a mistyped size is refused before it takes all memory
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,11 +32,13 @@ class Shot:
 
     def __post_init__(self) -> None:
         """Refuse what no picture can be made with, before long work begins."""
-        object.__setattr__(self, "size", checked_size(self.size))
+        width, height = checked_size(self.size)
+        if width * height > MOST_PIXELS:
+            raise OptionError(f"size is {width}x{height}; a picture has at most {MOST_PIXELS} pixels")
+        object.__setattr__(self, "size", (width, height))
         sample_positions(self.samples)
-        check_method(self.method)
-        if self.cull not in CULLING:
-            raise OptionError(f"cull is {self.cull!r}; {', '.join(CULLING)} are there")
+        method_named(self.method)
+        checked_cull(self.cull)
         check_style(self.look.style)
 
 
@@ -51,15 +56,6 @@ def shot_of(style: str = "shaded", **options: Any) -> Shot:
 
 SHOT_OPTIONS = set(Shot.__dataclass_fields__) - {"look"}
 LOOK_OPTIONS = set(Look.__dataclass_fields__) - {"style"}
-
-
-def check_method(name: str) -> None:
-    """Refuse a method that is not there, or that cannot answer a scene alone."""
-    from eyeline.visibility import METHODS
-
-    answering = [one for one, method in METHODS.items() if method.answers]
-    if name not in answering:
-        raise OptionError(f"there is no method {name!r}{suggestion(name, answering)}")
 
 
 def check_style(name: str) -> None:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from eyeline.errors import OptionError, SceneError
+from eyeline.errors import SceneError
 from eyeline.geometry import transform
 from eyeline.geometry.bounds import Bounds
 from eyeline.scene.camera import Camera
@@ -42,20 +42,3 @@ def orbited(camera: Camera, bounds: Bounds, turn: float) -> Camera:
     there, back = transform.identity(), transform.identity()
     there[:3, 3], back[:3, 3] = bounds.centre, -bounds.centre
     return replace(camera, world_from_eye=there @ spin @ back @ camera.world_from_eye)
-
-
-LONGEST_SIDE = 16384  # pixels: 1/256 of one, and a guard band, fit 32-bit numbers
-MOST_PIXELS = 1 << 27
-
-
-def checked_size(size: tuple[int, int]) -> tuple[int, int]:
-    """`size` as (width, height); refuses pictures of nothing and ones too large to hold."""
-    try:
-        width, height = (int(side) for side in size)
-    except (TypeError, ValueError):
-        raise OptionError(f"size is {size!r}; (width, height) in pixels is needed") from None
-    if not (1 <= width <= LONGEST_SIDE and 1 <= height <= LONGEST_SIDE):
-        raise OptionError(f"size is {width}x{height}; both sides must be 1 to {LONGEST_SIDE} pixels")
-    if width * height > MOST_PIXELS:
-        raise OptionError(f"size is {width}x{height}; at most {MOST_PIXELS} pixels are drawn at once")
-    return width, height

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from eyeline.render.shot import SIZE, Shot
+from eyeline.projection.project import checked_size, project
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
+from eyeline.shading.cutout import see
+from eyeline.visibility import method_named
 
 if TYPE_CHECKING:
     from eyeline.scene.scene import Scene
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 def visible(
     scene: Scene,
     camera: CameraChoice = None,
-    size: tuple[int, int] = SIZE,
+    size: tuple[int, int] = (1280, 720),
     time: float = 0.0,
     *,
     method: str = "zbuffer",
@@ -27,11 +28,9 @@ def visible(
 
     Transparent surfaces count as solid; the holes of cut-out ones (alpha_mode "mask") are open.
     """
-    from eyeline.projection import project
-    from eyeline.visibility import METHODS
-
-    shot = Shot(camera, size, clip, method, 1, cull)
+    answer = method_named(method)
+    width, height = checked_size(size)
     posed = scene.at(time, clip)
-    width, height = shot.size
-    projected = project(posed, chosen_camera(posed, camera, width / height), shot.size, cull)
-    return replace(METHODS[method](projected), scene=posed)
+    projected = project(posed, chosen_camera(posed, camera, width / height), (width, height), cull)
+    ((seen, _, _),) = see(posed, projected, answer)
+    return seen

@@ -12,7 +12,7 @@ SIZE = (64, 48)
 
 def errands() -> list[Callable[[], object]]:
     """Small pictures to make: every sample in the default style, and every style and method of one."""
-    from eyeline.scene.samples import SAMPLES
+    from eyeline.samples import SAMPLES
     from eyeline.shading.styles import STYLES
     from eyeline.visibility import METHODS
 

@@ -46,5 +46,8 @@ class Encoder(Protocol):
     def __call__(self, path: Path, job: Job, resume: bool = False) -> AbstractContextManager[Sink]:
         """Open `path` for a job; it is complete when the block ends well, and absent or as before if not."""
 
+    def check(self, path: Path) -> None:
+        """Refuse a place it cannot write to, before long work begins."""
+
     def notes(self, job: Job) -> tuple[str, ...]:
         """What it must change about the pictures, a sentence each."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
-from eyeline.render.whole import whole_file
+from eyeline.render.whole import refuse_place, whole_file
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
@@ -35,11 +35,15 @@ class Gif:
 
         with (
             whole_file(path) as unfinished,
-            av.open(str(unfinished), "w", format="gif", options={"loop": "0"}) as container,
+            av.open(str(unfinished), "w", format="gif", options=endless(job)) as container,
         ):
             sink = GifSink(container, job, self.dither)
             yield sink
             sink.flush()
+
+    def check(self, path: Path) -> None:
+        """A file needs a folder to be in."""
+        refuse_place(path)
 
     def notes(self, job: Job) -> tuple[str, ...]:
         """Too many frames a second play slower."""
@@ -86,6 +90,11 @@ class GifSink:
             self._container.mux(self._stream.encode(frame))
 
 
+def endless(job: Job) -> dict[str, str]:
+    """Repeat for ever; the last frame, which no other follows, lasts as long as the rest."""
+    return {"loop": "0", "final_delay": str(max(1, round(TICKS / job.fps)))}
+
+
 def palette_graph(size: tuple[int, int], dither: str) -> Any:
     """FFmpeg's filters from RGBA to 256 colours, a palette for each frame."""
     import av.filter
@@ -106,3 +115,6 @@ def palette_graph(size: tuple[int, int], dither: str) -> Any:
     use.link_to(sink)
     graph.configure()
     return graph
+
+
+GIF = Gif()

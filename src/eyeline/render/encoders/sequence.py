@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -15,6 +16,7 @@ from eyeline.render.image import Image
 from eyeline.render.whole import whole_file
 
 MANIFEST = "frames.json"  # says which job the frames belong to
+LAST_CHUNK = b"IEND\xaeB`\x82"  # of every PNG, with its check sum
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,7 @@ class PngSequence:
     @contextmanager
     def __call__(self, path: Path, job: Job, resume: bool = False) -> Iterator[SequenceSink]:
         """Make the folder; with `resume`, keep the frames in it that are whole and of this job."""
-        refuse_folder(path)
+        self.check(path)
         kept = tuple(whole_frames(path, job)) if resume and (path / MANIFEST).exists() else ()
         path.mkdir(exist_ok=True)
         for stale in sorted(set(path.glob("frame_*.png")) - {frame_path(path, number) for number in kept}):
@@ -35,6 +37,17 @@ class PngSequence:
         with whole_file(path / MANIFEST) as manifest:
             manifest.write_text(json.dumps(asdict(job), indent=1) + "\n", encoding="utf-8")
         yield SequenceSink(path, [number for number in range(job.frames) if number not in set(kept)])
+
+    def check(self, path: Path) -> None:
+        """Refuse a folder that is none, or that holds frames of somebody else."""
+        if not path.parent.is_dir():
+            raise FileError(f"{path}: there is no folder {str(path.parent)!r}; make it first")
+        if path.exists() and not path.is_dir():
+            raise FileError(f"{path}: is a file; frames need a folder, films a suffix such as .mp4")
+        if not (path / MANIFEST).exists() and any(path.glob("frame_*.png")):
+            raise FileError(
+                f"{path}: holds frames but no {MANIFEST}; they are not ours to replace, choose another folder"
+            )
 
     def notes(self, job: Job) -> tuple[str, ...]:
         """Frames are kept as they are."""
@@ -61,18 +74,6 @@ def frame_path(folder: Path, number: int) -> Path:
     return folder / f"frame_{number:05d}.png"
 
 
-def refuse_folder(path: Path) -> None:
-    """Refuse a folder that is none, or that holds frames of somebody else."""
-    if not path.parent.is_dir():
-        raise FileError(f"{path}: there is no folder {str(path.parent)!r}; make it first")
-    if path.exists() and not path.is_dir():
-        raise FileError(f"{path}: is a file; frames need a folder, films a suffix such as .mp4")
-    if not (path / MANIFEST).exists() and any(path.glob("frame_*.png")):
-        raise FileError(
-            f"{path}: holds frames but no {MANIFEST}, so they are not ours to replace; choose another folder"
-        )
-
-
 def whole_frames(path: Path, job: Job) -> Iterator[int]:
     """The numbers of the frames in the folder that are complete; refuses frames of another job."""
     try:
@@ -87,12 +88,13 @@ def whole_frames(path: Path, job: Job) -> Iterator[int]:
 
 
 def is_whole(path: Path, size: tuple[int, int]) -> bool:
-    """Whether a PNG is there, is of this size, and decodes to its end."""
+    """Whether a PNG is there, is of this size, decodes, and ends with its last chunk."""
     import PIL.Image
 
     try:
-        with PIL.Image.open(path) as picture:
+        content = path.read_bytes()
+        with PIL.Image.open(io.BytesIO(content)) as picture:
             picture.load()
-            return picture.size == size
+            return picture.size == size and content.endswith(LAST_CHUNK)
     except (OSError, SyntaxError, ValueError):
         return False

@@ -13,11 +13,11 @@ import numpy as np
 
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
-from eyeline.render.whole import whole_file
+from eyeline.render.image import Image
+from eyeline.render.whole import refuse_place, whole_file
 
 if TYPE_CHECKING:
     from av.container import OutputContainer
-    from av.video.stream import VideoStream
 
 BT709, STUDIO_RANGE = 1, 1  # ITU-T H.273's numbers: primaries, transfer and matrix of HDTV; luma 16 to 235
 FINEST_RATE = 1001  # the greatest denominator of a frame rate: NTSC's 24000/1001
@@ -51,6 +51,10 @@ class Video:
             yield sink
             sink.flush()
 
+    def check(self, path: Path) -> None:
+        """A file needs a folder to be in."""
+        refuse_place(path)
+
     def notes(self, job: Job) -> tuple[str, ...]:
         """Odd sides grow."""
         padded = self.padded(job.size)
@@ -58,7 +62,7 @@ class Video:
             return ()
         shown = [f"{width}x{height}" for width, height in (job.size, padded)]
         return (
-            f"{shown[0]} becomes {shown[1]}: {self.name} needs even sides; the last row or column is repeated",
+            f"{shown[0]} becomes {shown[1]}: {self.name} needs even sides; the last row or column repeats",
         )
 
     def padded(self, size: tuple[int, int]) -> tuple[int, int]:
@@ -71,10 +75,10 @@ class VideoSink:
 
     def __init__(self, video: Video, container: OutputContainer, job: Job) -> None:
         rate = Fraction(job.fps).limit_denominator(FINEST_RATE)
-        stream: VideoStream = container.add_stream(video.codec, rate=rate, options=dict(video.options))
+        stream: Any = container.add_stream(video.codec, rate=rate, options=dict(video.options))
         stream.width, stream.height = video.padded(job.size)
         stream.pix_fmt = video.pixel_format
-        context: Any = stream.codec_context
+        context = stream.codec_context
         context.color_primaries = context.color_trc = context.colorspace = BT709
         context.color_range = STUDIO_RANGE
         self.wanted = range(job.frames)
@@ -87,7 +91,7 @@ class VideoSink:
         bottom, right = self._stream.height - pixels.shape[0], self._stream.width - pixels.shape[1]
         if bottom or right:
             pixels = np.pad(pixels, ((0, bottom), (0, right), (0, 0)), mode="edge")
-        frame = av.VideoFrame.from_ndarray(pixels, format="rgba")
+        frame = av.VideoFrame.from_ndarray(Image(pixels).opaque, format="rgb24")
         frame = frame.reformat(format=self._format, dst_colorspace=BT709)
         frame.pts = number
         frame.time_base = 1 / self._stream.codec_context.framerate
