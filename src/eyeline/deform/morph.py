@@ -24,7 +24,7 @@ def blend(base: FloatArray, deltas: Sequence[FloatArray | None], weights: Sequen
     total = np.empty(flat.size)
     blended = np.empty_like(flat)
     parts = threads() if flat.size >= SHARED else 1
-    ends = np.linspace(0, flat.size, parts + 1).astype(int).tolist()
+    ends = [flat.size * part // parts for part in range(parts + 1)]
 
     def task(part: int) -> None:
         here = slice(ends[part], ends[part + 1])

@@ -25,7 +25,7 @@ Skinning = Callable[
 ]
 
 LINEAR, SCREW, STRETCHED_SCREW = range(3)  # how a vertex's matrix is made from its joints
-SHARED = 2048  # vertices below which a second thread costs more than it brings
+SHARED = 16_384  # vertices below which a second thread costs more than it brings
 
 
 def linear_blend(
@@ -80,7 +80,7 @@ def _moved(given: Skinned, joints: IntArray, influences: FloatArray, table: Floa
     )
     outs = [np.empty_like(one) for one in (points, normals, tangents)]
     parts = threads() if len(points) >= SHARED else 1
-    ends = np.linspace(0, len(points), parts + 1).astype(int).tolist()
+    ends = [len(points) * part // parts for part in range(parts + 1)]
 
     def task(part: int) -> None:
         skin(

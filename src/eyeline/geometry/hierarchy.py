@@ -30,7 +30,7 @@ def world_from_nodes(
     which[list(places)] = np.arange(len(places))
     matrices = np.array([*places.values()], dtype=np.float64).reshape(-1, 4, 4)
     parts = min(threads(), 1 + count * nodes // SHARED)
-    ends = np.linspace(0, count, parts + 1).astype(int).tolist()
+    ends = [count * part // parts for part in range(parts + 1)]
     t, r, s = (np.ascontiguousarray(one, dtype=np.float64) for one in (translation, rotation, scale))
     order = np.ascontiguousarray(parents, dtype=np.int32)
 

@@ -78,7 +78,7 @@ class Bundle:
             state = np.empty(len(times) * self.columns)
         times = np.ascontiguousarray(times)
         parts = min(threads(), 1 + len(times) * len(self.curves) // SHARED)
-        ends = np.linspace(0, len(times), parts + 1).astype(int).tolist()
+        ends = [len(times) * part // parts for part in range(parts + 1)]
 
         def task(part: int) -> None:
             interpolate(

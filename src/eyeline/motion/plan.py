@@ -12,7 +12,7 @@ import numpy as np
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.motion.bundle import Bundle
-from eyeline.motion.target import Target, changed, find
+from eyeline.motion.target import Target, changed, find, resolved
 from eyeline.motion.track import Track
 from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
@@ -100,7 +100,7 @@ class Plan:
             nodes.setdefault(node, {})["mesh"] = mesh
         posed = list(scene.nodes)
         for node, changes in nodes.items():
-            posed[node] = changed(posed[node], changes)
+            posed[node] = posed[node].changed(**resolved(posed[node], changes))
         return replace(scene, nodes=tuple(posed))
 
     def sample(self, times: FloatArray) -> Samples:

@@ -79,11 +79,15 @@ class Target:
 
 def changed(thing: Thing, changes: Mapping[str, Any]) -> Thing:
     """A frozen thing with other values; a mapping in place of a value changes the value in turn."""
-    values = {
+    return replace(thing, **resolved(thing, changes))  # type: ignore[type-var]
+
+
+def resolved(thing: object, changes: Mapping[str, Any]) -> dict[str, Any]:
+    """The new values of a thing's fields, mappings among them followed to the end."""
+    return {
         name: changed(getattr(thing, name), value) if isinstance(value, dict) else value
         for name, value in changes.items()
     }
-    return replace(thing, **values)  # type: ignore[type-var]
 
 
 def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mapping[str, Material]) -> int:

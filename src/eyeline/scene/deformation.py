@@ -70,9 +70,9 @@ def joint_matrices(skin: Skin, world: FloatArray) -> FloatArray:
 
 
 def _determinants(matrices: FloatArray) -> FloatArray:
-    a, b, c = (matrices[:, :3, k] for k in range(3))
-    determinants: FloatArray = (a * np.cross(b, c)).sum(axis=1)
-    return determinants
+    (ax, bx, cx), (ay, by, cy), (az, bz, cz) = matrices[:, :3, :3].transpose(1, 2, 0)
+    found: FloatArray = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    return found
 
 
 def _refuse_joints(mesh: Mesh, node: Node) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
@@ -32,6 +33,13 @@ class Node:
     light: Light | None = None
     instances: FloatArray | None = None  # (K, 4, 4) node_from_instance: the mesh stands K times
     visible: bool = True
+
+    def changed(self, **values: Any) -> Node:
+        """This node with other values, unchecked: for code that makes many, film frame after film frame."""
+        node = object.__new__(Node)
+        vars(node).update({**vars(self), **values})
+        vars(node).pop("parent_from_node", None)
+        return node
 
     @cached_property
     def parent_from_node(self) -> FloatArray:
