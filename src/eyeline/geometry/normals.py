@@ -6,8 +6,6 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
 
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray
 
@@ -46,16 +44,15 @@ def creased(points: FloatArray, faces: IntArray, angle: float) -> Creased:
     """
     flat = face_normals(points, faces)
     one, other = smooth_edges(faces, flat, math.cos(angle))
-    corners = 3 * len(faces)
-    graph = coo_array((np.ones(len(one), dtype=bool), (one, other)), shape=(corners, corners))
-    count, fan = connected_components(graph, directed=False)
+    fan = together(3 * len(faces), one, other)
     # New vertices stand in the order of the old ones
-    old = np.empty(count, dtype=np.int64)
-    old[fan] = faces.reshape(-1)
+    leader = np.flatnonzero(fan == np.arange(len(fan)))
+    old = faces.reshape(-1)[leader]
     order = np.argsort(old, kind="stable")
-    rank = np.empty(count, dtype=np.int32)
-    rank[order] = np.arange(count, dtype=np.int32)
-    split = np.ascontiguousarray(rank[fan].reshape(-1, 3))
+    count = len(leader)
+    rank = np.empty(3 * len(faces), dtype=np.int32)
+    rank[leader[order]] = np.arange(count, dtype=np.int32)
+    split = rank[fan].reshape(-1, 3)
     normals = unit(corner_sums(split, corner_angles(points, faces), flat, count), SOMEWHERE)
     return Creased(split, old[order], normals.astype(np.float32))
 
@@ -149,3 +146,16 @@ def smooth_edges(faces: IntArray, normals: FloatArray, least_cosine: float) -> t
         np.concatenate([here, here_next]),
         np.concatenate([np.where(same_way, there, there_next), np.where(same_way, there_next, there)]),
     )
+
+
+def together(count: int, one: IntArray, other: IntArray) -> IntArray:
+    """(count,) for each thing the lowest of all that pairs one, other (N,) join it to. [Shiloach82]"""
+    lowest = np.arange(count)
+    while len(one):
+        a, b = lowest[one], lowest[other]
+        apart = a != b
+        one, other = one[apart], other[apart]
+        np.minimum.at(lowest, np.maximum(a, b)[apart], np.minimum(a, b)[apart])
+        while (lowest != (higher := lowest[lowest])).any():
+            lowest = higher
+    return lowest

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from eyeline.errors import FileError
+from eyeline.files.gltf.limits import PIXELS, PIXELS_PER_BYTE, Allowance
 from eyeline.files.meshes.assembly import linear_from_bytes
 from eyeline.files.meshes.beside import beside, picture
 from eyeline.files.meshes.text import shortened, text_of
@@ -52,6 +53,7 @@ class Library:
     folder: Path
     materials: dict[str, Material] = field(default_factory=dict)
     pictures: dict[Path, ByteArray] = field(default_factory=dict)
+    pixels: Allowance = field(default_factory=lambda: Allowance("pixels", PIXELS, PIXELS_PER_BYTE))
     notes: list[str] = field(default_factory=list)
 
     def texture(self, words: Sequence[str], key: str) -> TextureSlot | None:
@@ -64,7 +66,7 @@ class Library:
             )
             return None
         if path not in self.pictures:
-            self.pictures[path] = picture(path)
+            self.pictures[path] = picture(path, self.pixels)
         wrap: Wrap = "clamp" if options.get("-clamp") == ["on"] else "repeat"
         across, up = vector(options.get("-s"), 1.0)
         right, high = vector(options.get("-o"), 0.0)

@@ -61,9 +61,9 @@ def flattened(shape: FloatArray) -> FloatArray:
 
 
 def ears(flat: FloatArray) -> IntArray:
-    """(N - 2, 3) corners of a simple polygon (N, 2): cut where a corner is convex and no other lies in its ear.
+    """(N - 2, 3) corners of a polygon (N, 2): cut where a corner is convex and no other lies in its ear.
 
-    A polygon that crosses itself has no such corner at some time; then the next one is cut, whatever it holds.
+    One that crosses itself has no such corner at some time; then the next is cut, whatever it holds.
     """
     left = list(range(len(flat)))
     cut = []

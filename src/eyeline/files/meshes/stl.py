@@ -32,7 +32,7 @@ def read(path: Path) -> Scene:
         return text_scene(data, path.stem)
     if len(data) < needed or len(data) < HEADER:
         raise FileError(
-            f"claims {claimed:,} triangles, {needed:,} bytes, but holds {len(data):,}; it is cut short or no STL file"
+            f"claims {claimed:,} triangles, {needed:,} bytes, but holds {len(data):,}; it is cut short"
         )
     triangles = np.frombuffer(data, TRIANGLE, claimed, HEADER)
     rest = len(data) - needed

@@ -38,6 +38,6 @@ def numbers(texts: Sequence[str], kind: str) -> FloatArray:
     raise FileError(f"{kind} rows hold something that is no number")
 
 
-def shortened(text: str) -> str:
-    """At most forty characters of a text, for a sentence."""
-    return text if len(text) <= 40 else text[:37] + "..."
+def shortened(text: str, most: int = 40) -> str:
+    """At most so many characters of a text, for a sentence."""
+    return text if len(text) <= most else text[: most - 3] + "..."

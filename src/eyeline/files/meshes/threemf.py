@@ -1,4 +1,4 @@
-"""3MF, through trimesh: objects placed by a build, in the file's unit. Colours are left aside, and a note says so."""
+"""3MF, through trimesh: objects placed by a build, in the file's unit. Colours are noted and left aside."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from lxml import etree
 
 from eyeline.errors import FileError
 from eyeline.files.meshes.assembly import refuse_empty
+from eyeline.files.meshes.text import shortened
 from eyeline.files.meshes.trimesh_reader import asked, corners
 from eyeline.geometry import transform
 from eyeline.scene.mesh import Mesh
@@ -56,6 +57,7 @@ def read(path: Path) -> Scene:
     outline = Outline()
     for model in models(data):
         add_outline(outline, model)
+    refuse_empty(outline.built)
     refuse_many(outline)
     found = asked(lambda file: load_3MF(file, postprocess=False), data, "3MF file")
     meshes: dict[str, Mesh] = {}
@@ -66,11 +68,11 @@ def read(path: Path) -> Scene:
     refuse_empty(list(meshes))
     unit = UNITS.get(found["metadata"]["units"], 1e-3)
     nodes = [Node(path.stem, matrix=UPRIGHT @ np.diag([unit, unit, unit, 1.0]))]
-    for placing in found["graph"]:
-        if placing["geometry"] in meshes:
-            nodes.append(
-                Node(placing["frame_to"], 0, matrix=placed(placing), mesh=meshes[placing["geometry"]])
-            )
+    nodes += [
+        Node(placing["frame_to"], 0, matrix=placed(placing), mesh=meshes[placing["geometry"]])
+        for placing in found["graph"]
+        if placing["geometry"] in meshes
+    ]
     refuse_empty(nodes[1:])
     notes = ("colours of 3MF files are not read; all is grey",) if outline.colored else ()
     return Scene(tuple(nodes), notes=notes, name=path.stem)
@@ -85,7 +87,7 @@ def placed(placing: Mapping[str, object]) -> np.ndarray:
 
 
 def models(data: bytes) -> list[bytes]:
-    """The XML of all model parts; the sizes that the archive claims are added up before anything is unpacked."""
+    """The XML of all model parts; the sizes the archive claims are added up before anything is unpacked."""
     try:
         with zipfile.ZipFile(io.BytesIO(data)) as archive:
             size = sum(entry.file_size for entry in archive.infolist())
@@ -137,7 +139,9 @@ def add_outline(outline: Outline, model: bytes) -> None:
                 outline.built.append(element.get("objectid", ""))
             outline.colored = outline.colored or tag in COLORED
     except etree.XMLSyntaxError as error:
-        raise FileError(f"has XML that is broken ({error.msg}); export it again") from error
+        raise FileError(
+            f"has XML that is broken ({shortened(error.msg.splitlines()[0])}); export it again"
+        ) from error
 
 
 def refuse_many(outline: Outline) -> None:

@@ -26,7 +26,7 @@ def asked(load: Callable[..., Any], data: bytes, kind: str) -> Mapping[str, Any]
             raise
         except Exception as error:
             # The loaders raise whatever the first odd byte leads to
-            reason = shortened(str(error).splitlines()[0] if str(error) else type(error).__name__)
+            reason = shortened((str(error) or type(error).__name__).splitlines()[0], 80)
             raise FileError(f"is no {kind} that can be read ({reason}); export it again") from error
     return found
 
