@@ -19,11 +19,11 @@ def standing(name, mesh, x, z, color):
 
 ball = el.samples.sphere().surfaces[0].mesh
 scene = el.Scene.of(
-    standing("red", ball, -0.9, 1.2, (0.8, 0.12, 0.08)),
-    standing("yellow", ball, 0.9, 0.4, (0.9, 0.6, 0.1)),
-    standing("blue", ball, 0.0, -1.2, (0.1, 0.25, 0.7)),
+    standing("red", ball, -0.35, 0.9, (0.8, 0.12, 0.08)),
+    standing("yellow", ball, 0.4, 0.1, (0.9, 0.6, 0.1)),
+    standing("blue", ball, -0.1, -0.9, (0.1, 0.25, 0.7)),
 )
-camera = el.Camera.look_at(eye=(0, 1.5, 8), target=(0, 0, 0), fov=math.radians(35))
+camera = el.Camera.look_at(eye=(0, 1.2, 6), target=(0, 0, 0), fov=math.radians(24))
 
 seen = el.visible(scene, camera, size=SIZE)
 for name in scene.paths:
