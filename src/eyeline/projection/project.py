@@ -7,6 +7,7 @@ import numpy as np
 from eyeline.errors import GeometryError, OptionError
 from eyeline.geometry.arrays import IntArray
 from eyeline.geometry.fixedpoint import LARGEST_SIDE
+from eyeline.geometry.memory import recycled
 from eyeline.projection.cutting import with_pieces
 from eyeline.projection.projected import Projected
 from eyeline.projection.sides import checked_cull, joined, sides_of
@@ -31,8 +32,8 @@ def project(scene: Scene, camera: Camera, size: tuple[int, int], cull: str = "au
     face_counts = [len(surface.mesh.faces) for surface in surfaces]
     first_faces = np.concatenate([[0], np.cumsum(face_counts, dtype=np.int64)]).astype(np.int64)
     projected = Projected(
-        xy=np.empty((sum(vertex_counts), 2), dtype=np.int32),
-        depth=np.empty(sum(vertex_counts), dtype=np.float32),
+        xy=recycled((sum(vertex_counts), 2), np.int32),
+        depth=recycled((sum(vertex_counts),), np.float32),
         faces=shared_faces(surfaces, vertex_counts),
         sides=joined([sides_of(surface, cull) for surface in surfaces], face_counts),
         face_count=sum(face_counts),

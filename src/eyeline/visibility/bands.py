@@ -77,7 +77,7 @@ def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
     if narrow:
         f0, f1, f2 = np.int32(e0), np.int32(e1), np.int32(e2)
         s0, s1, s2 = np.int32(a0), np.int32(a1), np.int32(a2)
-        last = np.int32(right - left)
+        last, fx = np.int32(right - left), np.float64(left)
         for y in range(top, bottom + 1):
             at = (y - row0) * width + left
             row = buffer[at : at + LANES]
@@ -90,34 +90,41 @@ def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
                     )
                     >= 0
                 ) & (np.int32(i) <= last)
-                key = make_key(depth_at(a, b, c, left + i, y), source)
+                key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
                 row[i] = max(row[i], key if inside else np.int64(0))
             f0, f1, f2 = np.int32(f0 + b0), np.int32(f1 + b1), np.int32(f2 + b2)
     else:
-        g0, g1, g2 = np.float64(e0), np.float64(e1), np.float64(e2)
+        s0, s1, s2 = np.float64(a0), np.float64(a1), np.float64(a2)
+        i0, i1, i2 = inverse(s0), inverse(s1), inverse(s2)
+        # Half a unit more: no quotient is whole then, and none is rounded to the other side of a whole number
+        g0, g1, g2 = np.float64(e0) + 0.5, np.float64(e1) + 0.5, np.float64(e2) + 0.5
         for y in range(top, bottom + 1):
-            low, high = narrowed(g0, np.float64(a0), 0.0, np.float64(right - left))
-            low, high = narrowed(g1, np.float64(a1), low, high)
-            low, high = narrowed(g2, np.float64(a2), low, high)
+            low, high = narrowed(g0, s0, i0, 0.0, np.float64(right - left))
+            low, high = narrowed(g1, s1, i1, low, high)
+            low, high = narrowed(g2, s2, i2, low, high)
             g0, g1, g2 = g0 + np.float64(b0), g1 + np.float64(b1), g2 + np.float64(b2)
             if low > high:
                 continue
             x = left + np.int64(low)
+            fx = np.float64(x)
             last = np.int32(high - low)
             at = (y - row0) * width + x
-            row = buffer[at : at + ((np.int64(last) + LANES) & -LANES)]
+            row = buffer[at : at + ((np.int64(last) + 16) & -16)]
             for i in range(row.shape[0]):
-                key = make_key(depth_at(a, b, c, x + i, y), source)
+                key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
                 row[i] = max(row[i], key if np.int32(i) <= last else np.int64(0))
 
 
 @helper
-def narrowed(e, a, low, high):
-    """low..high, narrowed to the i with e + a i >= 0.
+def inverse(a):
+    """1 / a; 0 for 0."""
+    return 1.0 / a if a != 0.0 else 0.0
 
-    All are whole numbers below 2**53 in float64: a rounded quotient's ceiling and floor are then the exact ones.
-    """
-    q = -e / a
+
+@helper
+def narrowed(e, a, inverse, low, high):
+    """low..high, narrowed to the i with e + a i > 0."""
+    q = -e * inverse
     low = max(low, np.ceil(q)) if a > 0 else low
     high = min(high, np.floor(q)) if a < 0 else high
     return low, (-1.0 if (a == 0) & (e < 0) else high)

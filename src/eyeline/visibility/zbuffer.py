@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
+from eyeline.geometry.memory import recycled
 from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
 from eyeline.visibility import scratch as shelf
@@ -27,8 +28,8 @@ class ZBuffer:
     def __call__(self, projected: Projected) -> Visible:
         """The nearest face at every pixel."""
         height, width, parts = projected.height, projected.width, threads()
-        face = np.empty((height, width), dtype=np.int32)
-        depth = np.empty((height, width), dtype=np.float32)
+        face = recycled((height, width), np.int32)
+        depth = recycled((height, width), np.float32)
         scratch = shelf.take(parts, (height - 1 >> shelf.BAND_BITS) + 1, len(projected.faces))
         scratch, counts = binned(projected, scratch, parts)
         flat = depth.view(np.int32).reshape(-1), face.reshape(-1)

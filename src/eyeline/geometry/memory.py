@@ -1,0 +1,42 @@
+"""Arrays over memory that was used before: touching new memory costs more than drawing a small scene."""
+
+from __future__ import annotations
+
+import math
+import weakref
+from collections import deque
+
+import numpy as np
+import numpy.typing as npt
+
+GRAIN = 1 << 18  # bytes: sizes are rounded up to this, so that nearly equal ones serve each other
+LEAST, MOST = 1 << 18, 1 << 26  # bytes: smaller and larger arrays are made anew
+
+_shelf: deque[npt.NDArray[np.uint8]] = deque(maxlen=12)
+
+
+def recycled(shape: tuple[int, ...], dtype: npt.DTypeLike) -> npt.NDArray[np.generic]:
+    """An array like `np.empty`'s, not initialised; its memory serves again when the last view of it is gone."""
+    count = math.prod(shape)
+    size = count * np.dtype(dtype).itemsize
+    if not LEAST <= size <= MOST:
+        return np.empty(shape, dtype)
+    memory = taken(-(-size // GRAIN) * GRAIN)
+    # With a memoryview between them NumPy does not see `memory` as the owner: every view keeps `lent` alive
+    lent = np.frombuffer(memoryview(memory), dtype, count)
+    weakref.finalize(lent, _shelf.append, memory).atexit = False
+    return lent.reshape(shape)
+
+
+def taken(size: int) -> npt.NDArray[np.uint8]:
+    """Memory of exactly `size` bytes that nobody else has, from the shelf or new."""
+    # Another thread may take and put at any time; each step alone is safe
+    for _ in range(len(_shelf)):
+        try:
+            memory = _shelf.popleft()
+        except IndexError:
+            break
+        if memory.nbytes == size:
+            return memory
+        _shelf.append(memory)
+    return np.empty(size, dtype=np.uint8)
