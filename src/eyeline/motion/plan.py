@@ -37,7 +37,7 @@ class Plan:
     targets: tuple[Target, ...]
     unfolded: Mapping[int, Mapping[str, Any]]  # moved nodes that were given as a matrix -> their parts
     fixed: Mapping[int, FloatArray]  # nodes that stay where a matrix puts them
-    painted: Mapping[str, tuple[int, ...]]  # moved material -> the nodes whose meshes wear it
+    painted: Mapping[str, Sequence[int]]  # moved material -> the nodes whose meshes wear it
 
     @classmethod
     def of(cls, tracks: Sequence[Track], scene: Scene) -> Plan:
@@ -141,14 +141,14 @@ class Plan:
         return painted
 
 
-def _materials(scene: Scene) -> tuple[dict[str, Material], dict[str, tuple[int, ...]]]:
+def _materials(scene: Scene) -> tuple[dict[str, Material], dict[str, list[int]]]:
     """Materials by name, and the nodes whose meshes wear each."""
     materials: dict[str, Material] = {}
-    wearers: dict[str, tuple[int, ...]] = {}
+    wearers: dict[str, list[int]] = {}
     for index, node in enumerate(scene.nodes):
         for name, material in {one.name: one for one in (node.mesh.materials if node.mesh else ())}.items():
             materials.setdefault(name, material)
-            wearers[name] = (*wearers.get(name, ()), index)
+            wearers.setdefault(name, []).append(index)
     return materials, wearers
 
 
