@@ -13,10 +13,8 @@ SOURCES := src tests examples benchmarks docs
 setup: $(VENV)/.installed-test
 
 demo: setup
-	@mkdir -p demo
-	$(BIN)/eyeline demo demo
-	@echo "The films and pictures are in $(CURDIR)/demo:"
-	@ls -1 demo
+	$(BIN)/eyeline demo --output demo
+	@echo "The film and its pictures are in $(CURDIR)/demo"
 
 test: lint
 	$(BIN)/python -m pytest -m "not slow" -q

@@ -110,7 +110,7 @@ def test_no_file_is_named_after_nothing(name: str) -> None:
 
 
 def test_nothing_is_unfinished() -> None:
-    marks = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX|NotImplemented" r"Error)\b")
+    marks = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX)\b|raise NotImplemented")
     assert [str(file) for file in house.sources() if marks.search(file.read_text())] == []
 
 
