@@ -18,8 +18,13 @@ from eyeline.shading import transparency
 from eyeline.shading.cutout import see
 from eyeline.shading.encoding import srgb_from_linear
 from eyeline.shading.frame import Frame, Strip
+from eyeline.shading.lanes import ALPHA
+from eyeline.shading.lanes import BLUE as BLUE_ROW
+from eyeline.shading.lanes import GREEN as GREEN_ROW
+from eyeline.shading.lanes import RED as RED_ROW
 from eyeline.shading.look import Look
-from eyeline.shading.point_shading import colours_of
+from eyeline.shading.point_shading import attributes_of
+from eyeline.shading.surface_points import SurfacePoints
 from eyeline.shading.transparency import drawn_through, layers, stacked
 from eyeline.visibility import METHODS
 
@@ -49,7 +54,14 @@ def frame_of(
 
 def drawn(*meshes: Mesh, **options: object) -> ByteArray:
     frame = frame_of(*meshes, **options)  # type: ignore[arg-type]
-    return drawn_through(frame, lambda points: colours_of(frame, points))
+    return drawn_through(frame, lambda points: base_colours(frame, points))
+
+
+def base_colours(frame: Frame, points: SurfacePoints) -> FloatArray:
+    """Unlit: what the material says."""
+    return np.ascontiguousarray(
+        attributes_of(frame, points)[[RED_ROW, GREEN_ROW, BLUE_ROW, ALPHA]].T[: len(points)]
+    )
 
 
 def over(*layers_far_to_near: tuple[tuple[float, float, float], float]) -> FloatArray:
@@ -131,7 +143,7 @@ def test_a_face_is_shaded_once_in_a_pixel_however_many_samples_see_it() -> None:
     strip = Strip(frame, 3, 9)
     asked = []
 
-    def shader(points):  # type: ignore[no-untyped-def]
+    def shader(points: SurfacePoints) -> FloatArray:
         asked.append(points)
         return np.zeros((len(points), 4), np.float32)
 
@@ -148,13 +160,13 @@ def test_every_fragment_gets_the_colour_of_its_own_face() -> None:
     random = np.random.default_rng(2)
     panes = [
         square(RED, 0.5, float(d), float(h), float(x))
-        for d, h, x in zip(random.uniform(1, 9, 30), random.uniform(0.1, 0.9, 30), random.uniform(-1, 1, 30), strict=True)
-    ]  # fmt: skip
+        for d, h, x in random.uniform((1, 0.1, -1), (9, 0.9, 1), (30, 3))
+    ]
     frame = frame_of(*panes, shifts=FOUR)
     stack = stacked(frame, np.ones(60, bool))
     strip = Strip(frame, 2, 14)
 
-    def face_number(points):  # type: ignore[no-untyped-def]
+    def face_number(points: SurfacePoints) -> FloatArray:
         return np.repeat(points.face[:, None], 4, axis=1).astype(np.float32)
 
     made = layers(strip, stack, face_number)
@@ -169,7 +181,7 @@ def test_points_lie_in_the_middle_of_the_samples_that_see_them() -> None:
     strip = Strip(frame, 4, 5)
     seen = []
 
-    def shader(points):  # type: ignore[no-untyped-def]
+    def shader(points: SurfacePoints) -> FloatArray:
         seen.append(points)
         return np.zeros((len(points), 4), np.float32)
 
@@ -184,7 +196,7 @@ def test_points_lie_in_the_middle_of_the_samples_that_see_them() -> None:
 def test_no_glass_no_layers() -> None:
     solid = square(GREEN, 1.0, 4.0)
     frame = frame_of(solid)
-    assert drawn(solid).tobytes() == frame.drawn(lambda strip: colours_of(frame, strip.points)).tobytes()
+    assert drawn(solid).tobytes() == frame.drawn(lambda strip: base_colours(frame, strip.points)).tobytes()
 
 
 def test_too_many_layers_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import numpy.typing as npt
 import pytest
 
 from eyeline.errors import OptionError
+from eyeline.geometry.arrays import FloatArray
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.scene.camera import Camera
 from eyeline.visibility import METHODS
@@ -16,12 +20,20 @@ BOTH = COUNTER_CLOCKWISE | CLOCKWISE
 WIDTH, HEIGHT = 40, 33
 
 
-def picture_of(xy, depth, sides=BOTH, pieces=(), width=WIDTH, height=HEIGHT) -> Projected:
+def picture_of(
+    xy: npt.ArrayLike,
+    depth: npt.ArrayLike,
+    sides: npt.ArrayLike = BOTH,
+    pieces: Sequence[int] = (),
+    width: int = WIDTH,
+    height: int = HEIGHT,
+) -> Projected:
     """Faces of their own corners: xy (F, 3, 2) in 1/256 pixel, depth (F, 3); the last are `pieces`."""
+    xy = np.asarray(xy, np.int32)
     count = len(xy)
-    sides = np.full(1, sides, np.uint8) if np.isscalar(sides) else np.asarray(sides, np.uint8)
+    sides = np.atleast_1d(np.asarray(sides, np.uint8))
     return Projected(
-        xy=np.asarray(xy, np.int32).reshape(-1, 2),
+        xy=xy.reshape(-1, 2),
         depth=np.asarray(depth, np.float32).reshape(-1),
         faces=np.arange(3 * count, dtype=np.int32).reshape(count, 3),
         sides=sides,
@@ -35,7 +47,9 @@ def picture_of(xy, depth, sides=BOTH, pieces=(), width=WIDTH, height=HEIGHT) -> 
     )
 
 
-def soup(seed: int, count: int = 300, reach: float = 12.0, coarse: bool = False, sides=BOTH) -> Projected:
+def soup(
+    seed: int, count: int = 300, reach: float = 12.0, coarse: bool = False, sides: npt.ArrayLike = BOTH
+) -> Projected:
     random = np.random.default_rng(seed)
     middle = random.uniform(-5, (WIDTH + 5, HEIGHT + 5), (count, 1, 2))
     xy = (middle + random.uniform(-1, 1, (count, 3, 2)) * reach) * 256
@@ -47,7 +61,7 @@ def soup(seed: int, count: int = 300, reach: float = 12.0, coarse: bool = False,
     return picture_of(np.round(xy), depth, sides)
 
 
-def brute_force(projected: Projected, behind) -> list[list[tuple[float, int]]]:
+def brute_force(projected: Projected, behind: FloatArray) -> list[list[tuple[float, int]]]:
     """The sorted list of every pixel, one face and one pixel at a time, in whole numbers."""
     lists: list[list[tuple[float, int]]] = [[] for _ in range(projected.width * projected.height)]
     sides = np.broadcast_to(projected.sides, len(projected.faces))
@@ -85,20 +99,20 @@ def lists_of(found: Fragments) -> list[list[tuple[float, int]]]:
     return [pairs[a:b] for a, b in zip(found.first[:-1], found.first[1:], strict=True)]
 
 
-def nothing(projected: Projected):
+def nothing(projected: Projected) -> FloatArray:
     return np.zeros((projected.height, projected.width), np.float32)
 
 
 @pytest.mark.parametrize("sides", [BOTH, COUNTER_CLOCKWISE, CLOCKWISE])
 @pytest.mark.parametrize("coarse", [False, True])
 @pytest.mark.parametrize("reach", [1.0, 12.0, 4000.0])
-def test_lists_equal_brute_force(reach, coarse, sides):
+def test_lists_equal_brute_force(reach: float, coarse: bool, sides: int) -> None:
     projected = soup(7, 150, reach, coarse, sides)
     behind = np.random.default_rng(3).uniform(0, 0.3, (HEIGHT, WIDTH)).astype(np.float32)
     assert lists_of(fragments(projected, behind)) == brute_force(projected, behind)
 
 
-def test_a_face_at_the_opaque_depth_is_hidden():
+def test_a_face_at_the_opaque_depth_is_hidden() -> None:
     projected = picture_of([[(0, 0), (0, 9000), (9000, 0)]], [[0.5, 0.5, 0.5]])
     assert len(fragments(projected, np.full((HEIGHT, WIDTH), 0.5, np.float32))) == 0
     assert (
@@ -106,14 +120,14 @@ def test_a_face_at_the_opaque_depth_is_hidden():
     )
 
 
-def test_each_side_of_a_face_can_be_left_out_on_its_own():
+def test_each_side_of_a_face_can_be_left_out_on_its_own() -> None:
     projected = soup(1, 40)
     sides = np.random.default_rng(2).integers(0, 4, 40).astype(np.uint8)
     some = picture_of(projected.xy.reshape(-1, 3, 2), projected.depth.reshape(-1, 3), sides)
     assert lists_of(fragments(some, nothing(some))) == brute_force(some, nothing(some))
 
 
-def test_pieces_are_named_after_the_face_they_were_cut_from():
+def test_pieces_are_named_after_the_face_they_were_cut_from() -> None:
     projected = soup(5, 30)
     cut = picture_of(
         projected.xy.reshape(-1, 3, 2),
@@ -126,7 +140,7 @@ def test_pieces_are_named_after_the_face_they_were_cut_from():
     assert lists_of(found) == brute_force(cut, nothing(cut))
 
 
-def test_a_thousand_layers_in_one_pixel_are_sorted():
+def test_a_thousand_layers_in_one_pixel_are_sorted() -> None:
     random = np.random.default_rng(11)
     depth = random.permutation(np.repeat(np.linspace(0.1, 0.9, 250), 4)).astype(np.float32)
     everywhere = np.tile(np.array([(-9000, -9000), (-9000, 30000), (30000, -9000)]), (1000, 1, 1))
@@ -136,7 +150,7 @@ def test_a_thousand_layers_in_one_pixel_are_sorted():
     assert lists_of(found) == brute_force(projected, nothing(projected))
 
 
-def test_the_order_of_faces_shows_in_their_numbers_only():
+def test_the_order_of_faces_shows_in_their_numbers_only() -> None:
     projected = soup(21)
     order = np.random.default_rng(4).permutation(len(projected.faces))
     shuffled = picture_of(projected.xy.reshape(-1, 3, 2)[order], projected.depth.reshape(-1, 3)[order])
@@ -145,7 +159,7 @@ def test_the_order_of_faces_shows_in_their_numbers_only():
     assert first.face.tobytes() == order[second.face].astype(np.int32).tobytes()
 
 
-def test_the_number_of_threads_changes_nothing(monkeypatch):
+def test_the_number_of_threads_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     projected = soup(8)
     answers = []
     for count in (1, 2, 5):
@@ -155,7 +169,7 @@ def test_the_number_of_threads_changes_nothing(monkeypatch):
     assert answers[0] == answers[1] == answers[2]
 
 
-def test_wanted_fragments_keep_their_order():
+def test_wanted_fragments_keep_their_order() -> None:
     projected = soup(13)
     found = fragments(projected, nothing(projected))
     even = found.only(found.face % 2 == 0)
@@ -163,7 +177,7 @@ def test_wanted_fragments_keep_their_order():
     assert even.pixel.tolist() == [p for p, one in enumerate(lists_of(even)) for _ in one]
 
 
-def test_nearest_is_the_last_of_each_list():
+def test_nearest_is_the_last_of_each_list() -> None:
     projected = soup(14, 60)
     face, depth = fragments(projected, nothing(projected)).nearest()
     for pixel, one in enumerate(brute_force(projected, nothing(projected))):
@@ -173,7 +187,7 @@ def test_nearest_is_the_last_of_each_list():
 @pytest.mark.parametrize("coarse", [False, True])
 @pytest.mark.parametrize("reach", [2.0, 12.0, 4000.0])
 @pytest.mark.parametrize("seed", range(3))
-def test_nearest_fragment_is_what_the_depth_buffer_sees(seed, reach, coarse):
+def test_nearest_fragment_is_what_the_depth_buffer_sees(seed: int, reach: float, coarse: bool) -> None:
     projected = soup(seed, 400, reach, coarse)
     visible = METHODS["zbuffer"](projected)
     face, depth = fragments(projected, nothing(projected)).nearest()
@@ -181,14 +195,14 @@ def test_nearest_fragment_is_what_the_depth_buffer_sees(seed, reach, coarse):
     assert depth.tobytes() == np.maximum(visible.depth, 0).tobytes()
 
 
-def test_too_many_layers_are_refused_before_memory_is_taken(monkeypatch):
+def test_too_many_layers_are_refused_before_memory_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(room, "LIMIT", 100)
     projected = soup(3)
     with pytest.raises(OptionError, match=r"\d+ transparent samples .* at most 100"):
         fragments(projected, nothing(projected))
 
 
-def test_no_face_no_fragment():
+def test_no_face_no_fragment() -> None:
     projected = picture_of(np.zeros((0, 3, 2)), np.zeros((0, 3)))
     found = fragments(projected, nothing(projected))
     assert len(found) == 0 and found.first.tolist() == [0] * (WIDTH * HEIGHT + 1)
