@@ -82,6 +82,6 @@ class Buffers:
             if not present(part, path):
                 raise part.refuse("uri", "there is no such file in the model's folder, so put it there")
             with path.open("rb") as file:
-                data = file.read(min(length, 2**40))
+                data = file.read(min(length, path.stat().st_size))
             self.document.count(len(data))
         return np.frombuffer(data, np.uint8)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from eyeline.errors import FileError, MissingExtraError
+from eyeline.errors import FileError
 from eyeline.files.gltf.part import Part
 from eyeline.geometry.arrays import ByteArray
 
@@ -42,12 +42,8 @@ def size(packed: Part) -> int:
 
 def unpacked(packed: Part, data: ByteArray) -> ByteArray:
     """The bytes of a packed view."""
-    try:
-        import meshopt
-    except ImportError as error:
-        raise MissingExtraError(
-            "is packed with EXT_meshopt_compression, which needs the package `meshopt`: pip install meshopt"
-        ) from error
+    import meshopt
+
     try:
         rows = meshopt.decode_gltf_buffer(
             data.tobytes(),
