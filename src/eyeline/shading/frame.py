@@ -13,12 +13,11 @@ from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
 from eyeline.shading.backdrop import backdrop
+from eyeline.shading.floor import Floor, floor_of
 from eyeline.shading.geometry_table import Geometry, geometry_of, meshes_of
-from eyeline.shading.light_table import light_table
 from eyeline.shading.look import Look
 from eyeline.shading.material_table import Materials, materials_of
 from eyeline.shading.resolve import Layers, resolve
-from eyeline.shading.studio import Lighting, lighting_of
 from eyeline.shading.surface_points import GRID, SurfacePoints, distinct_points
 from eyeline.visibility.method import Visible
 
@@ -66,14 +65,9 @@ class Frame:
         return geometry_of(self.projected, self._materials[1])
 
     @cached_property
-    def lighting(self) -> Lighting:
-        """What shines."""
-        return lighting_of(self.scene, self.projected.camera)
-
-    @cached_property
-    def light_table(self) -> FloatArray:
-        """(L, 14) float32."""
-        return light_table(self.lighting.lights, self.projected.camera.world_from_eye[:3, 3])
+    def floor(self) -> Floor | None:
+        """The studio floor, where there is one to see."""
+        return floor_of(self.scene, self.projected, self.look, not self.scene.lights)
 
     @cached_property
     def sight(self) -> FloatArray:
@@ -83,11 +77,16 @@ class Frame:
             return np.array([*camera.world_from_eye[:3, 2], 0.0], np.float32)
         return np.array([0.0, 0.0, 0.0, 1.0], np.float32)
 
-    def drawn(self, colour_of: Callable[[Strip], FloatArray | tuple[FloatArray, Layers]]) -> ByteArray:
+    def drawn(
+        self,
+        colour_of: Callable[[Strip], FloatArray | tuple[FloatArray, Layers]],
+        behind: Callable[[Strip], ByteArray] | None = None,
+    ) -> ByteArray:
         """The picture (H, W, 4) whose surface points have the colours that `colour_of` gives.
 
         colour_of(strip) -> (K, 4) float32 for strip.points: linear 0..1, alpha last, not multiplied by it;
-        optionally with the layers in front of them. It is called on several threads at once.
+        optionally with the layers in front of them. behind(strip) -> (rows, W, 4) sRGB, where nothing stands;
+        without it the backdrop. Both are called on several threads at once.
         """
         width, height = self.size
         picture = np.empty((height, width, 4), np.uint8)
@@ -99,7 +98,8 @@ class Frame:
                 strip = Strip(self, top, min(height, top + step))
                 answer = colour_of(strip)
                 colour, layers = answer if isinstance(answer, tuple) else (answer, None)
-                resolve(strip.of_sample, colour, layers, strip.backdrop, picture[top : strip.bottom])
+                back = strip.backdrop if behind is None else behind(strip)
+                resolve(strip.of_sample, colour, layers, back, picture[top : strip.bottom])
 
         share(draw, min(threads(), len(tops)))
         return picture

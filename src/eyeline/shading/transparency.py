@@ -21,6 +21,7 @@ from eyeline.shading.surface_points import SurfacePoints
 from eyeline.visibility.fragments import LIMIT, Fragments, fragments
 
 Shader = Callable[[SurfacePoints], FloatArray]  # -> (K, 4) linear 0..1, alpha last, not multiplied by it
+Behind = Callable[[Strip], ByteArray]
 
 
 def stacked(frame: Frame, wanted: BoolArray, through: bool = False) -> tuple[Fragments, ...]:
@@ -42,13 +43,16 @@ def stacked(frame: Frame, wanted: BoolArray, through: bool = False) -> tuple[Fra
     return tuple(stack)
 
 
-def drawn_through(frame: Frame, shader: Shader) -> ByteArray:
-    """The picture (H, W, 4) of a frame whose solid and blended faces are shaded alike."""
+def drawn_through(frame: Frame, shader: Shader, behind: Behind | None = None) -> ByteArray:
+    """The picture (H, W, 4) of a frame whose solid and blended faces are shaded alike.
+
+    behind(strip) -> (rows, W, 4) sRGB stands where nothing does; without it the frame's backdrop.
+    """
     surfaces = frame.projected.surfaces
     stack = stacked(frame, faces_of(surfaces, "blend")) if has(surfaces, "blend") else ()
     if not any(map(len, stack)):
-        return frame.drawn(lambda strip: shader(strip.points))
-    return frame.drawn(lambda strip: (shader(strip.points), layers(strip, stack, shader)))
+        return frame.drawn(lambda strip: shader(strip.points), behind)
+    return frame.drawn(lambda strip: (shader(strip.points), layers(strip, stack, shader)), behind)
 
 
 def layers(strip: Strip, stack: Sequence[Fragments], shader: Shader) -> Layers:

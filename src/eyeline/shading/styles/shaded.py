@@ -6,7 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from eyeline.geometry.arrays import ByteArray
+from eyeline.shading.ground import shaded_backdrop
 from eyeline.shading.point_shading import colours_of
+from eyeline.shading.stage import stage_of
 from eyeline.shading.transparency import drawn_through
 
 if TYPE_CHECKING:
@@ -24,4 +26,9 @@ class Shaded:
 
     def __call__(self, frame: Frame) -> ByteArray:
         """The picture (H, W, 4)."""
-        return drawn_through(frame, lambda points: colours_of(frame, points, faceted=self.faceted))
+        stage = stage_of(frame)
+        return drawn_through(
+            frame,
+            lambda points: colours_of(frame, stage, points, self.faceted),
+            lambda strip: shaded_backdrop(strip, stage),
+        )

@@ -1,0 +1,232 @@
+"""How open the surroundings of each pixel are, from the depth buffer alone: creases and contacts darken.
+
+Neighbours on a fixed spiral count as far as they rise over the pixel's plane and are near. [McGuire12]
+It is found at half the picture's resolution, smoothed where depth is smooth, and looked up the same way.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from eyeline.geometry.arrays import FloatArray
+from eyeline.jit import helper, kernel, share, threads
+from eyeline.projection.projected import Projected
+from eyeline.shading.floor import Floor
+from eyeline.visibility.method import Visible
+
+REACH_PART = 0.07  # of the scene's diagonal: how far a neighbour can be and still darken
+TAPS = 20
+TURNS = 7  # of the spiral; shares no divisor with TAPS, so that taps spread evenly
+LEAST_PIXELS, MOST_PIXELS = 6, 40  # of the half-size picture: how far the spiral goes
+MARGIN = MOST_PIXELS + 2  # pixels of nothing around the half-size picture, so that taps need no test
+FAR = np.float32(1e18)  # metres to nothing
+LEAST_RISE = 0.08  # sine over a pixel's plane below which a neighbour is the surface itself
+STRENGTH = 1.9  # so that a right-angled crease is about as dark as a hemisphere half closed
+SMOOTHING = 3  # pixels to each side
+ZERO, HALF, ONE, TINY = np.float32(0), np.float32(0.5), np.float32(1), np.float32(1e-30)
+
+
+class Openness(NamedTuple):
+    """A half-size picture of how much of the hemisphere is open, with a margin all around."""
+
+    width: int  # with the margins
+    open: FloatArray  # flat float32, 0..1
+    distance: FloatArray  # flat float32, metres along the view axis
+    alike: float  # metres of distance within which neighbours belong together
+
+
+def openness_of(visible: Visible, floor: Floor | None, diagonal: float, amount: float) -> Openness:
+    """The openness of a visible answer; the floor counts as a surface.
+
+    diagonal: of the scene, metres; amount: 0 nothing darkens .. 1.
+    """
+    projected = visible.projected
+    rows, columns = (projected.height + 1) // 2, (projected.width + 1) // 2
+    height, width = rows + 2 * MARGIN, columns + 2 * MARGIN
+    distance = np.full(height * width, FAR, np.float32)
+    lens = lens_of(projected)
+    floor_rows = floor.distances if floor is not None else np.zeros(3)
+    parts = threads()
+    share(
+        lambda part: halve(
+            visible.depth, lens, floor_rows, distance, width, part * rows // parts, (part + 1) * rows // parts
+        ),
+        parts,
+    )
+    reach = REACH_PART * diagonal
+    spiral = _spiral(_reach_in_pixels(projected, reach), width)
+    rough, across, smooth = (np.ones(height * width, np.float32) for _ in range(3))
+    numbers = np.array([1 / reach**2, LEAST_RISE, amount * STRENGTH / TAPS], np.float32)
+    alike = float(reach) / 4
+
+    def over(task: object, *arguments: object) -> None:
+        share(lambda part: task(*arguments, part * rows // parts, (part + 1) * rows // parts), parts)  # type: ignore[operator]
+
+    over(obscure, distance, lens, spiral, numbers, rough, width, columns)
+    over(smooth_along, rough, distance, across, np.float32(alike), width, columns, 1)
+    over(smooth_along, across, distance, smooth, np.float32(alike), width, columns, width)
+    return Openness(width, smooth, distance, alike)
+
+
+def lens_of(projected: Projected) -> FloatArray:
+    """(8,) float32: x = (0 + 1 column) s, y = (2 + 3 row) s of the half-size picture, in the eye's axes.
+
+    s is the distance in perspective, else 1; 4: 1 in perspective; distance = 1 / (5 + 6 depth), or 5 + 6 depth.
+    """
+    camera = projected.camera
+    clip = camera.clip_from_eye(projected.width / projected.height)
+    # Half-size pixel (c, r) stands for the picture's pixel (2c, 2r), centred at 2c + 1/2, 2r + 1/2
+    x0, x1 = (1 / projected.width - 1) / clip[0, 0], 4 / projected.width / clip[0, 0]
+    y0, y1 = (1 - 1 / projected.height) / clip[1, 1], -4 / projected.height / clip[1, 1]
+    a, b = clip[2, 2], clip[2, 3]
+    perspective = camera.fov is not None
+    # Perspective: depth = (b - a distance) / distance. Orthographic: depth = b - a distance
+    depth_0, depth_1 = (a / b, 1 / b) if perspective else (b / a, -1 / a)
+    return np.array([x0, x1, y0, y1, float(perspective), depth_0, depth_1, 0.0], np.float32)
+
+
+def _reach_in_pixels(projected: Projected, reach: float) -> float:
+    """How far the spiral goes, half-size pixels, from how large `reach` is in the middle of the scene."""
+    camera, bounds = projected.camera, projected.surfaces
+    clip = camera.clip_from_eye(projected.width / projected.height)
+    size = reach * clip[1, 1] * projected.height / 4
+    if camera.fov is not None and bounds:
+        middle = np.mean(
+            [surface.world_from_mesh @ [*surface.mesh.bounds.centre, 1.0] for surface in bounds], axis=0
+        )
+        size /= max(-(camera.eye_from_world @ middle)[2], camera.near or 1.0)
+    return float(min(max(size, LEAST_PIXELS), MOST_PIXELS))
+
+
+def _spiral(radius: float, width: int) -> FloatArray:
+    """(TAPS, 3) columns, rows, and the step in the flat picture, of taps in order of distance."""
+    part = (np.arange(TAPS) + 0.5) / TAPS
+    angle = 2 * np.pi * TURNS * part
+    columns = np.rint(radius * part * np.cos(angle))
+    rows = np.rint(radius * part * np.sin(angle))
+    return np.stack([columns, rows, rows * width + columns], axis=1).astype(np.int64)
+
+
+@kernel
+def halve(depth, lens, floor, distance, width, top, bottom):
+    """Fill the distance of every second pixel of every second row; the floor's where nothing stands."""
+    for row in range(top, bottom):
+        start = (row + MARGIN) * width + MARGIN
+        down = floor[1] * (2 * row + 0.5) + floor[2]
+        for column in range((depth.shape[1] + 1) // 2):
+            here = depth[2 * row, 2 * column]
+            value = lens[5] + lens[6] * here
+            if lens[4] > 0:
+                value = ONE / value
+            if here == 0:
+                value = np.float32(floor[0] * (2 * column + 0.5) + down)
+                if value <= 0:
+                    value = FAR
+                elif lens[4] > 0:
+                    value = ONE / value
+            distance[start + column] = value
+
+
+@kernel
+def obscure(distance, lens, spiral, numbers, openness, width, columns, top, bottom):
+    """Fill openness, unsmoothed: a row at a time, a tap at a time, so that the innermost loop is a vector's."""
+    per_squared_reach, least, strength = numbers[0], numbers[1], numbers[2]
+    perspective = lens[4]
+    flat = ONE - perspective
+    x0, x1, y0, y1 = lens[0], lens[1], lens[2], lens[3]
+    lines = np.empty((6, columns), np.float32)
+    for row in range(top, bottom):
+        start = (row + MARGIN) * width + MARGIN
+        nearest = FAR
+        for column in range(columns):
+            nearest = min(nearest, distance[start + column])
+        if nearest >= FAR:
+            continue
+        y = y0 + y1 * np.float32(row)
+        # Place, and the unit normal from the nearer neighbour on either axis
+        for column in range(columns):
+            i = start + column
+            x = x0 + x1 * np.float32(column)
+            here = distance[i]
+            left, right, above, below = (
+                distance[i - 1],
+                distance[i + 1],
+                distance[i - width],
+                distance[i + width],
+            )
+            leftward = abs(left - here) < abs(right - here)
+            upward = abs(above - here) < abs(below - here)
+            across, step = (here - left, x - x1) if leftward else (right - here, x + x1)
+            other = left if leftward else right
+            way = -ONE if leftward else ONE
+            ax = (step * (flat + other * perspective) - x * (flat + here * perspective)) * way
+            ay = y * across * perspective
+            az = -across
+            down, step = (here - above, y - y1) if upward else (below - here, y + y1)
+            other = above if upward else below
+            way = -ONE if upward else ONE
+            bx = x * down * perspective
+            by = (step * (flat + other * perspective) - y * (flat + here * perspective)) * way
+            bz = -down
+            nx, ny, nz = by * az - bz * ay, bz * ax - bx * az, bx * ay - by * ax
+            scale = ONE / math.sqrt(nx * nx + ny * ny + nz * nz + TINY)
+            scale_here = flat + here * perspective
+            lines[0, column], lines[1, column], lines[2, column] = x * scale_here, y * scale_here, here
+            lines[3, column], lines[4, column], lines[5, column] = nx * scale, ny * scale, nz * scale
+            openness[i] = ZERO
+        for tap in range(spiral.shape[0]):
+            dx, step = np.float32(spiral[tap, 0]), spiral[tap, 2]
+            tap_y = y + y1 * np.float32(spiral[tap, 1])
+            for column in range(columns):
+                there = distance[start + step + column]
+                scale = flat + there * perspective
+                vx = (x0 + x1 * (np.float32(column) + dx)) * scale - lines[0, column]
+                vy = tap_y * scale - lines[1, column]
+                vz = lines[2, column] - there
+                squared = vx * vx + vy * vy + vz * vz + TINY
+                rise = (vx * lines[3, column] + vy * lines[4, column] + vz * lines[5, column]) / math.sqrt(
+                    squared
+                )
+                near = max(ONE - squared * per_squared_reach, ZERO)
+                openness[start + column] += near * max(rise - least, ZERO)
+        for column in range(columns):
+            openness[start + column] = max(ONE - strength * openness[start + column], ZERO)
+
+
+@kernel
+def smooth_along(rough, distance, smooth, alike, width, columns, step, top, bottom):
+    """Fill smooth with the mean of each pixel's neighbours, `step` apart, that are as far from the eye."""
+    per_alike = ONE / alike
+    for row in range(top, bottom):
+        start = (row + MARGIN) * width + MARGIN
+        for column in range(columns):
+            i = start + column
+            here = distance[i]
+            total, weights = rough[i], ONE
+            for k in range(1, SMOOTHING + 1):
+                for j in (i - k * step, i + k * step):
+                    weight = max(ONE - abs(distance[j] - here) * per_alike, ZERO)
+                    total += rough[j] * weight
+                    weights += weight
+            smooth[i] = total / weights
+
+
+@helper
+def open_at(width, values, distances, alike, x, y, distance):
+    """How open it is at (x, y) of the picture on a surface this far away: the four nearest that are as far."""
+    u, v = (x - HALF) * HALF, (y - HALF) * HALF
+    column, row = math.floor(u), math.floor(v)
+    right, down = np.float32(u - column), np.float32(v - row)
+    first = (int(row) + MARGIN) * width + MARGIN + int(column)
+    total, weights = ZERO, TINY
+    for k in range(4):
+        i = first + (k & 1) + (k >> 1) * width
+        weight = (right if k & 1 else ONE - right) * (down if k >> 1 else ONE - down)
+        # A little for those of other distances, should there be no alike
+        weight *= max(ONE - abs(distances[i] - distance) / np.float32(alike), np.float32(1e-3))
+        total += values[i] * weight
+        weights += weight
+    return total / weights

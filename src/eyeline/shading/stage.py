@@ -1,0 +1,46 @@
+"""Everything that lights a frame, found once before its strips are drawn."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from eyeline.geometry.arrays import FloatArray
+from eyeline.shading.light_table import light_table
+from eyeline.shading.openness import Openness, openness_of
+from eyeline.shading.shadow_map import BLOCK, ShadowMaps, shadow_maps
+from eyeline.shading.studio import lighting_of
+
+if TYPE_CHECKING:
+    from eyeline.shading.frame import Frame
+
+MOST_MAPS = 12  # of all lights that cast shadows; a light all around takes six
+LEAST_TEXELS, MOST_TEXELS = 256, 2048
+
+
+class Stage(NamedTuple):
+    """Lights, shadows and surroundings, for kernels."""
+
+    lights: FloatArray  # (L, 14)
+    environment: FloatArray  # (12,)
+    shadows: ShadowMaps
+    openness: Openness
+    sight: FloatArray  # (4,) see `prepare`
+    gaze: FloatArray  # (3,) float32: the way the camera looks
+
+
+def stage_of(frame: Frame) -> Stage:
+    """The stage of a frame; uses all threads, so call it before the strips are drawn."""
+    camera = frame.projected.camera
+    eye = camera.world_from_eye[:3, 3]
+    lighting = lighting_of(frame.scene, camera)
+    # Of the rig only the key casts a shadow; of the scene's own lights as many as there are maps for
+    casting = lighting.lights[: 1 if lighting.studio else None] if frame.look.shadows else ()
+    height = min(frame.size)
+    texels = min(max(round(height / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
+    shadows = shadow_maps(frame.scene, casting, len(lighting.lights), eye, texels, MOST_MAPS)
+    diagonal = frame.scene.bounds.diagonal or 1.0
+    openness = openness_of(frame.visibles[0][0], frame.floor, diagonal, frame.look.occlusion)
+    return Stage(
+        light_table(lighting.lights, eye), lighting.environment, shadows, openness,
+        frame.sight, (-camera.world_from_eye[:3, 2]).astype("float32"),
+    )  # fmt: skip
