@@ -5,11 +5,15 @@
 
 from __future__ import annotations
 
+import json
 import os
+import shutil
 import statistics
+import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import partial
+from pathlib import Path
 
 import numpy as np
 
@@ -24,10 +28,11 @@ from eyeline.scene.scene import Scene
 VERTICES, INFLUENCES, JOINTS = 100_000, 4, 64
 TIMES = 10_000
 ROUNDS = 15
+THREEJS = Path(__file__).parent.parent / "build" / "threejs"
 
 
 def main() -> None:
-    rows = [*skinning(), *sampling()]
+    rows = [*skinning(), *sampling(), *against_threejs()]
     results.record("skinning", rows)
 
 
@@ -61,6 +66,53 @@ def sampling() -> Iterator[results.Row]:
             yield results.Row(
                 f"joints sampled, {joints} at 10k random times, 1 thread", rate, unit="M/s", bar=">= 6"
             )
+
+
+def against_threejs() -> Iterator[results.Row]:
+    """The same joints, keys and times in three.js's mixer; nothing where the tests have not fetched it."""
+    package = THREEJS / "node_modules" / "three" / "package.json"
+    if not (package.exists() and shutil.which("node")):
+        print("three.js is not in build/threejs; tests/motion/test_threejs.py puts it there")
+        return
+    scene = marionette(65)
+    times = np.random.default_rng(2).uniform(0, 10, 1000)
+    program = shutil.copy(Path(__file__).with_name("mixer.mjs"), THREEJS / "mixer_speed.mjs")
+    with subprocess.Popen(
+        ["node", program], cwd=THREEJS, text=True, stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as node:
+        assert node.stdin is not None and node.stdout is not None
+
+        def ask(line: str) -> None:
+            print(line, file=node.stdin, flush=True)
+            node.stdout.readline()
+
+        ask(json.dumps(described(scene, times)))
+        with one_thread():
+            duel = peers.alternate(partial(worlds, scene, times), partial(ask, "again"), ROUNDS)
+        node.stdin.close()
+    version = json.loads(package.read_text())["version"]
+    yield results.Row(
+        "65 joints at 1000 random times, 1 thread", duel.ours * 1e3, duel.theirs * 1e3,
+        f"three.js {version}", bar="<= 1/3",
+    )  # fmt: skip
+
+
+def described(scene: Scene, times: np.ndarray) -> dict[str, object]:
+    """A scene's tree and tracks as JSON takes them."""
+    tracks = scene.clips[0].tracks  # type: ignore[attr-defined]
+    return {
+        "parents": [node.parent for node in scene.nodes],
+        "times": times.tolist(),
+        "tracks": [
+            {
+                "node": scene.find(track.name),
+                "property": track.property,
+                "times": track.curve.times.tolist(),
+                "values": track.curve.values.reshape(-1).tolist(),
+            }
+            for track in tracks
+        ],
+    }
 
 
 def worlds(scene: Scene, times: np.ndarray) -> np.ndarray:

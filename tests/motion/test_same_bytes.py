@@ -26,8 +26,9 @@ keys, joints = np.sort(rng.random(20)), ("a", "a/b", "a/b/c")
 tracks = [Track("node", "skin", "weights", Curve(keys, rng.normal(size=(20, 1))))]
 for way in ("linear", "dual_quaternion"):
     for shape in ("linear", "cubic"):
-        moves = [Track("node", path, "rotation", Curve(keys, rng.normal(size=(20, 3, 4) if shape == "cubic" else (20, 4)),
-                 shape, rotation=True)) for path in joints]
+        size = (20, 3, 4) if shape == "cubic" else (20, 4)
+        turns = [Curve(keys, rng.normal(size=size), shape, rotation=True) for _ in joints]
+        moves = [Track("node", path, "rotation", turn) for path, turn in zip(joints, turns)]
         moves.append(Track("node", "a", "scale", Curve([0, 1], [[1, 1, 1], [2, 0.5, 1]])))
         inverse = transform.compose(rng.normal(size=(3, 3)), [[0, 0, 0, 1]] * 3, np.ones((3, 3)))
         body = Node("skin", mesh=mesh, skin=Skin((0, 1, 2), inverse, way))
