@@ -1,208 +1,201 @@
-"""Mutations of good files: a reader either reads what comes or refuses it in a sentence, soon.
+"""Readers under fire: good files, damaged at random, in a process of their own with little memory and time.
 
-`fuzz(reader, files, runs, seed)` works in this process; run as a program it limits the memory of its process first:
+    fuzz([path, ...], runs=400, seed=1) -> findings
 
-    python tests/files/fuzz.py gltf 20000 [seed]
+Each run damages one file of a model's folder, mostly the model, and reads it with `eyeline.files.load`. It
+may answer, or raise an EyelineError in one line; whatever else happens is a finding, and so is a process
+that dies.
+As a program: python fuzz.py RUNS SEED MODEL...
 """
 
 from __future__ import annotations
 
+import io
 import json
+import os
 import random
+import re
+import resource
+import shutil
+import signal
+import subprocess
 import sys
 import tempfile
 import time
 import traceback
-from collections import Counter
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+import zipfile
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from eyeline.errors import EyelineError
-from eyeline.files.gltf.container import opened
+from files.damaged_gltf import damaged_gltf
 
-SECONDS = 5.0  # a run may take
-MEMORY = 6 * 2**30  # bytes of address space a fuzzing process may take, libraries counted
-WILD = (
-    None, True, False, -1, 0, 1, 3, 7, 255, 65535, 2**31 - 1, 2**31, 2**32, 2**63, 2**64, -(2**31), 0.5, -0.0,
-    1e-300, 1e300, 1e999, "", "a", "..", "../../x", "\0", "data:,", "é\n", [], [[]], {}, [0], [1, 2, 3], {"a": 1},
+MEMORY = 3 * 2**30  # bytes of address space: libraries take the first one
+SECONDS = 5.0  # for one file
+NUMBERS = (
+    b"0", b"-1", b"1", b"2", b"7", b"255", b"65536", b"2147483647", b"-2147483648", b"4294967295",
+    b"99999999999999999999", b"1e38", b"1e39", b"-1e308", b"nan", b"inf", b"1e-45", b"0.5",
+    b"", b"x", b"1/2", b"../x", b"//",
 )  # fmt: skip
+WORDS = (0, 1, 2, 255, 0x7F, 0x80, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x7F800000, 0x7FC00000)
 
 
-@dataclass(frozen=True)
-class Outcome:
-    """What came of all runs."""
-
-    read: int
-    refused: int
-    sentences: Counter[str]  # by their first words
-    slowest: float  # seconds
-    defects: tuple[str, ...]  # everything that is not a scene or a sentence
-
-
-def fuzz(reader: Callable[[Path], object], files: Sequence[Path], runs: int, seed: int) -> Outcome:
-    """Read mutations of good files, each a function of the seed and its number alone."""
-    read, defects, slowest = 0, [], 0.0
-    sentences: Counter[str] = Counter()
+def fuzz(models: Sequence[Path], runs: int, seed: int) -> list[str]:
+    """What went wrong in `runs` readings of damaged models, one line each."""
+    command = [sys.executable, __file__, str(runs), str(seed), *map(str, models)]
     with tempfile.TemporaryDirectory() as folder:
-        for run in range(runs):
-            chance = random.Random(f"{seed} {run}")
-            original = files[run % len(files)]
-            path = Path(folder) / f"run{original.suffix}"
-            path.write_bytes(mutated(original.read_bytes(), chance))
-            begin = time.monotonic()
-            try:
-                reader(path)
-                read += 1
-            except EyelineError as error:
-                sentences[first_words(str(error))] += 1
-                if "\n" in str(error) or not str(error).startswith(path.name):
-                    defects.append(f"run {run} of {original.name}: {error}")
-            except Exception:
-                defects.append(f"run {run} of {original.name}: {traceback.format_exc()}")
-            seconds = time.monotonic() - begin
-            slowest = max(slowest, seconds)
-            if seconds > SECONDS:
-                defects.append(f"run {run} of {original.name} took {seconds:.1f} s")
-    return Outcome(read, sum(sentences.values()), sentences, slowest, tuple(defects))
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            timeout=60 + runs * SECONDS,
+            cwd=folder,
+            env=os.environ | {"PYTHONPATH": os.pathsep.join(str(Path(one).resolve()) for one in sys.path)},
+            check=False,
+        )
+    lines = done.stdout.splitlines()
+    if done.returncode != 0 or not lines:
+        return [f"the process ended with {done.returncode} after {lines[-1:]}: {done.stderr[-800:]}"]
+    findings: list[str] = json.loads(lines[-1])
+    return findings
 
 
-def first_words(sentence: str) -> str:
-    """A sentence without its names and numbers."""
-    return "".join("#" if letter.isdigit() else letter for letter in sentence)[:60]
+# --- damage -----------------------------------------------------------------------------------------------
 
 
-def mutated(data: bytes, chance: random.Random) -> bytes:
-    """A file with its bytes or, where it has any, its JSON bent in one to four places."""
-    times = chance.choice((1, 1, 1, 2, 4))
-    if chance.random() < 0.7 and (parts := gltf_parts(data)) is not None:
-        root, binary = parts
-        for _ in range(times):
-            bend_json(root, chance)
-        text = json.dumps(root).replace("Infinity", "1e999").encode("utf-8", "surrogatepass")
-        return text if binary is None else gltf_of(text, binary)
-    for _ in range(times):
-        data = bend_bytes(data, chance)
+def damaged(data: bytes, chance: random.Random) -> bytes:
+    """Some bytes, changed in one to three ways."""
+    if data[:2] == b"PK" and chance.random() < 0.7:
+        return damaged_archive(data, chance)
+    if data[:4] == b"glTF" or data[:1] == b"{":
+        bent = damaged_gltf(data, chance) if chance.random() < 0.7 else None
+        if bent is not None:
+            return bent
+    for _ in range(chance.choice((1, 1, 2, 3))):
+        if data:
+            data = chance.choice((flipped, cut, spliced, renumbered, renumbered, overwritten))(data, chance)
     return data
 
 
-def gltf_parts(data: bytes) -> tuple[dict[str, Any], bytes | None] | None:
-    """The JSON and the binary chunk of a good glTF file; None of any other file."""
-    if data[:4] != b"glTF" and not data.lstrip().startswith(b"{"):
-        return None
-    root, binary = opened(data)
-    return root, None if binary is None else binary.tobytes()
+def flipped(data: bytes, chance: random.Random) -> bytes:
+    changed = bytearray(data)
+    for _ in range(chance.choice((1, 1, 4, 16))):
+        changed[chance.randrange(len(changed))] ^= 1 << chance.randrange(8)
+    return bytes(changed)
 
 
-def gltf_of(text: bytes, binary: bytes) -> bytes:
-    from files.gltf_builder import glb
-
-    return glb(text, binary)
+def cut(data: bytes, chance: random.Random) -> bytes:
+    return data[: chance.randrange(len(data))]
 
 
-def bend_json(root: Any, chance: random.Random) -> None:
-    """Change, remove, double or move one value somewhere in a JSON tree."""
-    spots = [(thing, key) for thing in containers(root) for key in keys(thing)]
-    if not spots:
-        return
-    thing, key = chance.choice(spots)
-    kind = chance.random()
-    if kind < 0.2:
-        del thing[key]
-    elif kind < 0.3 and isinstance(thing, list):
-        thing.insert(chance.randrange(len(thing) + 1), thing[key])
-    elif kind < 0.45:
-        other, other_key = chance.choice(spots)
-        thing[key] = json.loads(json.dumps(other[other_key]))
-    elif kind < 0.7 and isinstance(thing[key], (int, float)):
-        thing[key] = thing[key] + chance.choice((-1, 1, 2, 100, 10**6, -thing[key] * 2, 0.5))
-    else:
-        thing[key] = chance.choice(WILD)
+def spliced(data: bytes, chance: random.Random) -> bytes:
+    """A piece left out, doubled, or put elsewhere."""
+    begin, end, to = sorted(chance.randrange(len(data) + 1) for _ in range(3))
+    end = min(end, begin + chance.choice((1, 4, 64, 4096)))
+    piece = data[begin:end]
+    return chance.choice(
+        (data[:begin] + data[end:], data[:end] + piece + data[end:], data[:to] + piece + data[to:])
+    )
 
 
-def containers(root: Any) -> list[Any]:
-    """Every list and object of a JSON tree; of long lists of numbers only the list."""
-    found, waiting = [], [root]
-    while waiting:
-        thing = waiting.pop()
-        if isinstance(thing, (dict, list)):
-            found.append(thing)
-            waiting.extend(thing.values() if isinstance(thing, dict) else thing)
-    return found
+def renumbered(data: bytes, chance: random.Random) -> bytes:
+    """A number of a text in place of which another stands."""
+    found = list(re.finditer(rb"-?\d+(\.\d+)?(e[-+]?\d+)?", data[:200_000]))
+    if not found:
+        return overwritten(data, chance)
+    one = chance.choice(found)
+    return data[: one.start()] + chance.choice(NUMBERS) + data[one.end() :]
 
 
-def keys(thing: Any) -> list[Any]:
-    return list(thing) if isinstance(thing, dict) else list(range(len(thing)))
+def overwritten(data: bytes, chance: random.Random) -> bytes:
+    """Four bytes in place of which a telling number stands."""
+    at = chance.randrange(min(len(data), 2048) if chance.random() < 0.5 else len(data))
+    return data[:at] + chance.choice(WORDS).to_bytes(4, chance.choice(("little", "big"))) + data[at + 4 :]
 
 
-def bend_bytes(data: bytes, chance: random.Random) -> bytes:
-    """Overwrite, cut, insert, double or swap bytes; near the beginning as often as anywhere."""
-    if not data:
-        return bytes(chance.randrange(256) for _ in range(chance.randrange(1, 9)))
-    reach = len(data) if chance.random() < 0.5 else min(len(data), 256)
-    start = chance.randrange(reach)
-    length = chance.choice((1, 1, 2, 4, 8, 64))
-    kind = chance.random()
-    if kind < 0.5:
-        noise = chance.choice((chance.randbytes(length), b"\xff" * length, b"\0" * length))
-        return data[:start] + noise + data[start + length :]
-    if kind < 0.65:
-        return data[:start]
-    if kind < 0.8:
-        return data[:start] + data[start + length :]
-    if kind < 0.9:
-        return data[:start] + chance.randbytes(length) + data[start:]
-    other = chance.randrange(len(data))
-    return data[:start] + data[other : other + length] + data[start + length :]
+def damaged_archive(data: bytes, chance: random.Random) -> bytes:
+    """A zip archive packed again, one of its files damaged."""
+    with zipfile.ZipFile(io.BytesIO(data)) as archive:
+        files = {name: archive.read(name) for name in archive.namelist()}
+    name = chance.choice([name for name in files if files[name]])
+    files[name] = damaged(files[name], chance)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for one, content in files.items():
+            archive.writestr(one, content)
+    return packed.getvalue()
 
 
-def good_gltf(folder: Path) -> list[Path]:
-    """Small good files that together use everything the reader reads, and the real models at hand."""
-    from data import every
-    from files.good_gltf import GOOD
-
-    made = [make().write(folder, f"{name}.glb") for name, make in GOOD.items()]
-    made += [make().write(folder, f"{name}.gltf") for name, make in GOOD.items()]
-    real = [path for path in [*every("gltf/*.gltf"), *every("gltf/*.glb")] if path.stat().st_size < 200_000]
-    return made + real
+# --- the process ------------------------------------------------------------------------------------------
 
 
-def good_meshes(folder: Path) -> list[Path]:
-    """The real meshes at hand that are small."""
-    from data import every
-
-    return [path for path in every("mesh/*") if path.stat().st_size < 200_000]
+class TooSlowError(Exception):
+    """A file that took longer than it may."""
 
 
-def limit_memory() -> None:
-    """Let no allocation of this process pass MEMORY."""
-    import resource
-
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+def too_slow(*_: object) -> None:
+    raise TooSlowError(f"took more than {SECONDS} s")
 
 
-def main(kind: str, runs: str, seed: str = "1") -> int:
-    """Fuzz one family of readers, print what came of it, and fail where there is a defect."""
+def attempt(model: Path) -> str:
+    """What was wrong with reading a model; nothing if it was read or refused rightly."""
+    from eyeline.errors import EyelineError
     from eyeline.files import load
 
-    limit_memory()
-    with tempfile.TemporaryDirectory() as folder:
-        files = {"gltf": good_gltf, "meshes": good_meshes}[kind](Path(folder))
-        outcome = fuzz(load, files, int(runs), int(seed))
-    for defect in outcome.defects:
-        print(defect)
+    begin = time.monotonic()
+    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    try:
+        scene = load(model)
+        assert scene.face_count > 0 or scene.notes or model.suffix in (".gltf", ".glb"), (
+            "nothing to see, nothing said"
+        )
+    except EyelineError as error:
+        text = str(error)
+        if "\n" in text or len(text) > 400 or not text.startswith(model.name):
+            return f"refused in no good sentence: {text[:300]!r}"
+    except BaseException as error:
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        return f"{type(error).__name__}: {str(error)[:200]} ({Path(last.filename).name}:{last.lineno})"
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+    took = time.monotonic() - begin
+    return f"took {took:.1f} s" if took > SECONDS else ""
+
+
+def run(runs: int, seed: int, models: Sequence[Path]) -> list[str]:
+    """Every run's finding; the damaged model of the first few is kept beside this process's folder."""
+    findings = []
+    for number in range(runs):
+        chance = random.Random(f"{seed} {number}")
+        model = chance.choice(models)
+        folder = Path("work")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(model.parent, folder)
+        files = [path for path in sorted(folder.rglob("*")) if path.is_file() and path.stat().st_size]
+        victim = folder / model.name if chance.random() < 0.75 else chance.choice(files)
+        victim.write_bytes(damaged(victim.read_bytes(), chance))
+        print(number, model.name, victim.name, flush=True)
+        if finding := attempt(folder / model.name):
+            kept = Path(tempfile.gettempdir()) / f"fuzz-{seed}-{number}"
+            shutil.copytree(folder, kept, dirs_exist_ok=True)
+            findings.append(f"run {number} ({kept / model.name}): {finding}")
+    return findings
+
+
+def main() -> None:
+    """Read damaged models under limits and print the findings as JSON."""
+    from eyeline.files import load
+
+    models = [Path(name).resolve() for name in sys.argv[3:]]
+    # Libraries and kernels are loaded before the limits
+    for model in models:
+        if load(model).face_count == 0:
+            raise SystemExit(f"{model.name} is no good model: it has no faces")
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    signal.signal(signal.SIGALRM, too_slow)
     print(
-        f"{runs} runs over {len(files)} files, seed {seed}: {outcome.read} read, {outcome.refused} refused in"
-        f" {len(outcome.sentences)} kinds of sentence, {len(outcome.defects)} defects;"
-        f" slowest {outcome.slowest:.2f} s"
+        json.dumps(run(int(sys.argv[1]), int(sys.argv[2]), models))
     )
-    return 1 if outcome.defects else 0
 
 
 if __name__ == "__main__":
-    import warnings
-
-    warnings.simplefilter("error")
-    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-    sys.exit(main(*sys.argv[1:]))
+    main()

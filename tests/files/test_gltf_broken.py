@@ -11,7 +11,8 @@ import pytest
 
 from eyeline.errors import FileError
 from eyeline.files import load
-from files.broken_gltf import BROKEN, Broken, square
+from files.bent_gltf import Broken, square
+from files.broken_gltf import BROKEN
 
 SECONDS = 5
 MEMORY = 400 * 2**20  # bytes; the allowance of a small file is 64 MiB of numbers, copied a few times

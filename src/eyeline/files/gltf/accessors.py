@@ -11,7 +11,8 @@ import numpy.typing as npt
 from eyeline.errors import FileError
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.limits import LARGEST
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.geometry.arrays import FloatArray, IntArray
 
 Numbers = npt.NDArray[Any]
@@ -37,7 +38,7 @@ class Accessors:
     _wholes: dict[int, IntArray] = field(default_factory=dict)
 
     def floats(self, index: int, types: tuple[str, ...], place: str) -> FloatArray:
-        """(count, width) float32, finite; whole numbers become 0..1 or -1..1 where they are normalized."""
+        """(count, width) float32; whole numbers become 0..1 or -1..1 where they are normalized."""
         part = self._checked(index, types, place)
         if index not in self._floats:
             self._floats[index] = as_floats(part, self._stored(part))
@@ -129,10 +130,13 @@ def component(part: Part) -> np.dtype[Any]:
 def as_floats(part: Part, stored: Numbers) -> FloatArray:
     """The numbers an accessor means by those it stores."""
     values = normalized(stored) if part.flag("normalized") else stored.astype(np.float32)
-    finite = np.isfinite(values)
-    if not finite.all():
-        row = int(np.flatnonzero(~finite.all(axis=1))[0])
-        raise FileError(f"{part.place} holds {values[row].tolist()} at {row}; every number must be finite")
+    sound = np.abs(values) <= LARGEST
+    if not sound.all():
+        row = int(np.flatnonzero(~sound.all(axis=1))[0])
+        raise FileError(
+            f"{part.place} holds {spoken(values[row].tolist())} at {row};"
+            f" numbers of at most {LARGEST:g} are needed"
+        )
     return values
 
 

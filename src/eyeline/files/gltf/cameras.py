@@ -39,7 +39,9 @@ def _planes(lens: Part, needs_far: bool) -> tuple[float, float | None]:
     near = lens.number("znear")
     if near < 0 or (near == 0 and not needs_far):
         raise lens.refuse("znear", "a distance in front of the eye is needed")
-    far = lens.number("zfar") if needs_far or lens.has("zfar") else None
+    far = lens.distance("zfar")
+    if far is None and needs_far:
+        raise lens.refuse("zfar", f"a distance of more than znear, {near:g}, is needed")
     if far is not None and not far > near:
         raise lens.refuse("zfar", f"more than znear, {near:g}, is needed")
     return near, far

@@ -54,6 +54,8 @@ def _chunks(data: bytes) -> tuple[bytes, ByteArray | None]:
             )
         found.setdefault(kind, data[offset : offset + size])
         offset += size + -size % 4
+    if JSON_CHUNK not in found:
+        raise FileError(f"claims {length} bytes, which hold no JSON; the file is damaged")
     binary = found.get(BINARY_CHUNK)
     return found[JSON_CHUNK], None if binary is None else np.frombuffer(binary, np.uint8)
 

@@ -29,16 +29,13 @@ def light_of(document: Document, index: int, place: str) -> Light:
     color = part.numbers("color", (1.0, 1.0, 1.0))
     if min(color) < 0:
         raise part.refuse("color", "three numbers from 0 are needed")
-    reach = part.number("range") if part.has("range") else math.inf
-    if not reach > 0:
-        raise part.refuse("range", "a distance of more than 0 is needed")
     spot = part.part("spot")
     outer = spot.ranged("outerConeAngle", QUARTER, 0, math.pi / 2)
     return Light(
         cast(LightKind, kind),
         (color[0], color[1], color[2]),
         part.ranged("intensity", 1.0, 0),
-        reach,
+        part.distance("range") or math.inf,
         spot.ranged("innerConeAngle", 0.0, 0, outer),
         outer,
         part.name(),

@@ -16,6 +16,7 @@ NUMBERS, NUMBERS_PER_BYTE = 2**24, 16  # 4-byte numbers in arrays: 64 MiB, and 6
 PIXELS, PIXELS_PER_BYTE = 2**27, 64  # of all images together
 IMAGE_PIXELS = 2**26  # of one image: 8192 x 8192
 INSTANCES = 2**20  # of all nodes together
+LARGEST = 1e18  # of any number, so that its square is finite in 32 bits
 FACES = 2**31 - 1  # of all nodes and instances: faces are numbered in 32 bits
 PATH_CHARACTERS = 2**26  # of all node paths together
 NOTES = 100

@@ -111,8 +111,8 @@ def completed(blocks: Sequence[Block], materials: Sequence[Material]) -> list[Bl
 
 def normal_uv_set(block: Block, materials: Sequence[Material]) -> int | None:
     """The UV set along which a block needs tangents; None if no normal texture lies on it."""
-    for slot in np.unique(block.materials).tolist():
-        texture = materials[slot].normal_texture
+    for slot in np.unique(block.materials):
+        texture = materials[int(slot)].normal_texture
         if texture is not None and f"TEXCOORD_{texture.uv_set}" in block.attributes:
             return texture.uv_set
     return None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -12,7 +13,7 @@ from eyeline.files.gltf.cameras import camera_of
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.instances import instances_of
 from eyeline.files.gltf.lights import light_of
-from eyeline.files.gltf.limits import FACES, INSTANCES
+from eyeline.files.gltf.limits import FACES, INSTANCES, LARGEST
 from eyeline.files.gltf.meshes import Meshes, weights_of
 from eyeline.files.gltf.part import Part
 from eyeline.files.gltf.skins import check_fit, skin_of
@@ -21,6 +22,7 @@ from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
+from eyeline.scene.scene import Scene
 from eyeline.scene.skin import Skin
 
 TURN = 1e-2  # how far from one the length of a rotation may be before it is reported
@@ -51,6 +53,7 @@ class Nodes:
             )
         if sum(count for count, _ in standing) - len(standing) > INSTANCES:
             raise FileError(f"its nodes have more than {INSTANCES:,} instances; use fewer")
+        check_reach(nodes)
         return nodes
 
     def _made(self, part: Part, number: int, parent: int) -> Node:
@@ -102,6 +105,17 @@ class Nodes:
             self._skins[index] = skin_of(self.accessors, skin, self.tree.node_of)
         check_fit(mesh, self._skins[index], part.place)
         return self._skins[index]
+
+
+def check_reach(nodes: Sequence[Node]) -> None:
+    """Refuse nodes that stand farther out, or are larger, than anything is."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        world = Scene(tuple(nodes)).world
+    for node, matrix in zip(nodes, world, strict=True):
+        if not (np.abs(matrix) <= LARGEST).all():
+            raise FileError(
+                f"node {node.name!r} is moved or scaled beyond {LARGEST:g} metres; export it smaller"
+            )
 
 
 def matrix_of(part: Part) -> FloatArray | None:

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from eyeline.errors import FileError
+from eyeline.files.gltf.limits import LARGEST
 
 _short = reprlib.Repr()
 _short.maxstring = _short.maxother = _short.maxlong = 60
@@ -69,12 +70,21 @@ class Part:
         return list(values)
 
     def number(self, key: str, default: float | None = None) -> float:
-        """A finite number; required if there is no default."""
+        """A number; required if there is no default."""
         value = self.values.get(key)
         if value is None and default is not None:
             return default
-        if value is None or not _is_finite(value):
-            raise self.refuse(key, "a finite number is needed")
+        if value is None or not _is_number(value):
+            raise self.refuse(key, f"a number of at most {LARGEST:g} is needed")
+        return float(value)
+
+    def distance(self, key: str) -> float | None:
+        """A distance of more than 0; None where absent, or farther than anything is."""
+        value = self.values.get(key)
+        if value is None or (isinstance(value, float) and value > LARGEST):
+            return None
+        if not _is_number(value) or value <= 0:
+            raise self.refuse(key, "a distance of more than 0 is needed")
         return float(value)
 
     def ranged(self, key: str, default: float, low: float, high: float = math.inf) -> float:
@@ -87,12 +97,12 @@ class Part:
         return value
 
     def numbers(self, key: str, default: Sequence[float]) -> tuple[float, ...]:
-        """As many finite numbers as the default has; the default where absent."""
+        """As many numbers as the default has; the default where absent."""
         if not self.has(key):
             return tuple(default)
         values = self.listed(key)
-        if len(values) != len(default) or not all(map(_is_finite, values)):
-            raise self.refuse(key, f"{len(default)} finite numbers are needed")
+        if len(values) != len(default) or not all(map(_is_number, values)):
+            raise self.refuse(key, f"{len(default)} numbers of at most {LARGEST:g} are needed")
         return tuple(map(float, values))
 
     # --- words ------------------------------------------------------------------------------------------
@@ -160,8 +170,6 @@ class Part:
         return extensions.part(name) if extensions.has(name) else None
 
 
-def _is_finite(value: Any) -> bool:
-    """Whether a value is a number that a double can hold."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return False
-    return abs(value) <= 1.7976931348623157e308
+def _is_number(value: Any) -> bool:
+    """Whether a value is a number that scenes are made of."""
+    return not isinstance(value, bool) and isinstance(value, (int, float)) and abs(value) <= LARGEST

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from eyeline.errors import FileError
+from eyeline.errors import FileError, SceneError
 from eyeline.files.gltf.accessors import Accessors
 from eyeline.files.gltf.part import Part
 from eyeline.geometry.arrays import FloatArray
@@ -44,7 +44,10 @@ class Keys:
         self.shaped(shape)
         sides = (3,) if self.interpolation == "cubic" else ()
         values = self.values.reshape(len(self.times), *sides, *shape)
-        return Curve(self.times, values, self.interpolation, rotation)
+        try:
+            return Curve(self.times, values, self.interpolation, rotation)
+        except SceneError as error:
+            raise FileError(f"{self.place}: {error}") from error
 
 
 def keys_of(accessors: Accessors, sampler: Part) -> Keys:
