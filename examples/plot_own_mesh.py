@@ -5,6 +5,8 @@ A mesh of your own
 Points and faces from numpy become a picture: here a wave, with a colour for each of its vertices.
 """
 
+import math
+
 import numpy as np
 
 import eyeline as el
@@ -29,4 +31,5 @@ part = (height.reshape(-1, 1) - height.min()) / (height.max() - height.min())
 colors = deep + (crest - deep) * part
 
 wave = el.Mesh(points, faces, colors=colors, material=el.Material(base_color=(1, 1, 1, 1), roughness=0.35))
-el.render(el.Scene.of(wave), size=SIZE).save("own_mesh.png")
+camera = el.Camera.look_at(eye=(5, 5, 9), target=(0, -0.2, 0.3), fov=math.radians(38))
+el.render(el.Scene.of(wave), camera, size=SIZE).save("own_mesh.png")
