@@ -137,6 +137,20 @@ def test_the_scene_itself_does_not_move() -> None:
     assert np.array_equal(scene.world, before)
 
 
+def test_a_posed_scene_stands_still() -> None:
+    posed = stage(node("arm", "translation", (0, 0, 0), (0, 2, 0))).at(0.5)
+    assert posed.at(1.0) is posed
+    assert posed.duration == 0
+
+
+def test_one_clip_can_be_laid_over_another() -> None:
+    arm = Clip("arm", [node("arm", "translation", (0, 0, 0), (0, 2, 0))])
+    lamp = Clip("lamp", [node("lamp", "light.intensity", 0, 8)])
+    posed = lamp.pose(arm.pose(stage(), 0.5), 0.25)
+    assert posed["arm"].translation == (0, 1, 0)
+    assert posed["lamp"].light.intensity == 2
+
+
 def test_a_node_given_as_a_matrix_keeps_what_no_track_moves() -> None:
     posed = stage(node("placed", "translation", (0, 0, 0), (8, 0, 0))).at(0.5)
     expected = transform.compose([4, 0, 0], [0, 0, 0, 1], [2, 2, 2])

@@ -166,12 +166,13 @@ class Scene:
     def at(self, time: float, clip: str | int | None = None) -> Scene:
         """This scene as it stands at `time`, seconds, in a clip (the first if none is named).
 
-        Pure: any order of times gives the same. A scene without clips stands still.
+        Pure: any order of times gives the same. The answer stands still: it has no clips, so that whoever
+        gets it, at whatever time, sees this pose. A scene without clips is its own answer.
         """
         if not np.isfinite(time):
             raise SceneError(f"time is {time}; a finite number of seconds is needed")
         chosen = self.clip(clip)
-        return self if chosen is None else chosen.pose(self, float(time))
+        return self if chosen is None else replace(chosen.pose(self, float(time)), clips=())
 
     def sample(self, times: npt.ArrayLike, clip: str | int | None = None) -> Samples:
         """Node transforms and morph weights at many times (T,) at once; no scene is copied."""
