@@ -38,6 +38,8 @@ SHORT_TOP = ((130, 165, 65), (82, 165, 225), (240, 165, 272), (290, 165, 114))
 TALL_TOP = ((423, 330, 247), (265, 330, 296), (314, 330, 456), (472, 330, 406))
 
 EYE, AHEAD = (278, 273, -800), (278, 273, 0)
+WIDE = math.radians(80)  # half the cone of the lamp's light: nearly all that is below it
+GLOW = (0.278, 0.40, -0.75)  # metres; a light in place of all that goes from wall to wall
 FOCAL_LENGTH, SENSOR = 35.0, 25.0  # millimetres
 
 
@@ -47,7 +49,8 @@ def cornell_box() -> Scene:
         {WHITE: joined(*map(quad, (FLOOR, CEILING, BACK))), RED: quad(LEFT), GREEN: quad(RIGHT)}, "walls"
     )
     camera = Camera.look_at(metres(EYE), metres(AHEAD), fov=2 * math.atan(SENSOR / (2 * FOCAL_LENGTH)))
-    light = Light("spot", (1.0, 0.72, 0.30), 1.6, inner_cone=0.3, outer_cone=math.pi / 2, name="lamp")
+    light = Light("spot", (1.0, 0.82, 0.56), 1.05, inner_cone=0.0, outer_cone=WIDE, name="lamp")
+    walls_glow = Light("point", (1.0, 0.78, 0.60), 0.42, name="what the walls send back")
     downwards = tuple(quaternion.from_axis_angle((1, 0, 0), -math.pi / 2).tolist())
     return Scene.of(
         Node("walls", mesh=walls),
@@ -55,6 +58,7 @@ def cornell_box() -> Scene:
         Node("tall block", mesh=block(TALL_TOP).mesh(WHITE)),
         Node("lamp", mesh=quad(OPENING).mesh(LAMP)),
         Node("light", translation=middle(OPENING), rotation=downwards, light=light),
+        Node("glow", translation=GLOW, light=walls_glow),
         Node("camera", matrix=camera.world_from_eye, camera=camera),
         name="cornell box",
     )

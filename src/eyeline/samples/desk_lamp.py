@@ -23,9 +23,9 @@ from eyeline.scene.node import Node
 from eyeline.scene.scene import Scene
 
 ENAMEL = Material("teal enamel", (0.012, 0.14, 0.16, 1.0), roughness=0.28)
-STEEL = Material("steel", (0.62, 0.61, 0.59, 1.0), metallic=1.0, roughness=0.27)
-BRASS = Material("brass", (0.80, 0.52, 0.20, 1.0), metallic=1.0, roughness=0.30)
-REFLECTOR = Material("reflector", (0.95, 0.90, 0.80, 1.0), roughness=0.6, emissive=(0.55, 0.36, 0.16))
+STEEL = Material("nickel", (0.66, 0.65, 0.63, 1.0), metallic=0.25, roughness=0.30)
+BRASS = Material("brass", (0.78, 0.47, 0.12, 1.0), metallic=0.25, roughness=0.30)
+REFLECTOR = Material("reflector", (0.95, 0.90, 0.80, 1.0), roughness=0.6, emissive=(0.75, 0.50, 0.24))
 GLASS = Material("glowing glass", (1.0, 0.95, 0.85, 1.0), roughness=0.4, emissive=(7.0, 5.2, 3.0))
 
 LOWER, UPPER = 0.21, 0.19  # metres, the arms from joint to joint
@@ -36,10 +36,10 @@ Z = (0.0, 0.0, 1.0)
 
 def desk_lamp() -> Scene:
     """A lamp 0.4 m high on a stage, looking along +x; clips `hop` and `nod`."""
-    camera = Camera.look_at((0.75, 0.42, 1.15), (0.08, 0.2, 0.0), focal_length=38)
+    camera = Camera.look_at((0.58, 0.36, 0.92), (0.10, 0.19, 0.0), focal_length=38)
     lights = (
-        sun((-2, 5, 3), 1.6, (1.0, 0.95, 0.88), "window"),
-        sun((3, 2, 2), 0.35, (0.75, 0.85, 1.0), "sky"),
+        sun((-2, 5, 3), 2.7, (1.0, 0.95, 0.88), "window"),
+        sun((3, 2, 2), 0.5, (0.75, 0.85, 1.0), "sky"),
     )
     surroundings = (
         Node("backdrop", mesh=cyclorama()),
@@ -57,7 +57,7 @@ def lamp() -> tuple[Node, ...]:
     }
     towards_mouth = tuple(quaternion.from_axis_angle((1, 0, 0), math.pi / 2).tolist())
     light = Light(
-        "spot", (1.0, 0.74, 0.42), 2.2, inner_cone=math.radians(28), outer_cone=math.radians(52), name="bulb"
+        "spot", (1.0, 0.80, 0.52), 0.42, inner_cone=math.radians(24), outer_cone=math.radians(54), name="bulb"
     )
     return (
         Node("lamp"),

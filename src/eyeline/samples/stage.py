@@ -14,7 +14,7 @@ from eyeline.scene.material import Colour, Material
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 
-PEACH = Material("peach paper", (0.80, 0.42, 0.24, 1.0), roughness=0.9)
+PEACH = Material("peach paper", (0.93, 0.55, 0.32, 1.0), roughness=0.9)
 
 
 def cyclorama(material: Material = PEACH, width: float = 8.0, front: float = 3.0, back: float = 1.3) -> Mesh:
