@@ -41,7 +41,7 @@ WORDS = (0, 1, 2, 255, 0x7F, 0x80, 0xFFFF, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0
 
 def fuzz(models: Sequence[Path], runs: int, seed: int) -> list[str]:
     """What went wrong in `runs` readings of damaged models, one line each."""
-    command = [sys.executable, __file__, str(runs), str(seed), *map(str, models)]
+    command = [sys.executable, "-W", "error", __file__, str(runs), str(seed), *map(str, models)]
     with tempfile.TemporaryDirectory() as folder:
         done = subprocess.run(
             command,
