@@ -31,5 +31,5 @@ part = (height.reshape(-1, 1) - height.min()) / (height.max() - height.min())
 colors = deep + (crest - deep) * part
 
 wave = el.Mesh(points, faces, colors=colors, material=el.Material(base_color=(1, 1, 1, 1), roughness=0.35))
-camera = el.Camera.look_at(eye=(5, 5, 9), target=(0, -0.2, 0.3), fov=math.radians(38))
+camera = el.Camera.look_at(eye=(5.5, 5.4, 10), target=(0, -0.3, 0.5), fov=math.radians(38))
 el.render(el.Scene.of(wave), camera, size=SIZE).save("own_mesh.png")

@@ -20,7 +20,7 @@ LONGEST_KERNEL = 150
 # What a distribution is called when it is imported.
 IMPORT_NAMES = {"pillow": "PIL"}
 # Not imported by us, but needed by trimesh to read 3MF.
-NEEDED_BY_OTHERS = {"networkx", "lxml"}
+NEEDED_BY_OTHERS = {"networkx"}
 
 
 def test_every_function_says_what_it_takes_and_gives() -> None:

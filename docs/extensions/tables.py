@@ -12,6 +12,8 @@ from sphinx.util.docutils import SphinxDirective
 
 import eyeline
 from extensions import reference
+from eyeline.files import READERS
+from eyeline.files.gltf.extensions import KNOWN
 
 SIZE = (640, 360)
 
@@ -51,9 +53,13 @@ def styles(_: str) -> str:
 
 def readers(_: str) -> str:
     """Every suffix that can be loaded."""
-    from eyeline.files import READERS
+    lines = ["| suffix | format |", "|---|---|"]
+    return "\n".join(lines + [f"| `{suffix}` | {reader.name} |" for suffix, reader in READERS.items()])
 
-    return ", ".join(f"`{suffix}`" for suffix in sorted(READERS))
+
+def extensions(_: str) -> str:
+    """Every extension of glTF that is read."""
+    return ", ".join(f"`{name}`" for name in KNOWN)
 
 
 def work(name: str) -> str:
@@ -88,7 +94,8 @@ def idea(thing: Any) -> str:
 WRITERS: dict[str, Callable[[str], str]] = {
     "methods-table": methods,
     "styles-table": styles,
-    "readers-list": readers,
+    "readers-table": readers,
+    "gltf-extensions": extensions,
     "work-of": work,
     "work-culled": work_culled,
     "public-names": reference.public_names,
