@@ -75,7 +75,7 @@ def finite_points(values: FloatArray, what: str = "point") -> FloatArray:
     bad = ~np.isfinite(points).all(axis=1)
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
-        numbers = " ".join(f"{value:g}" for value in np.asarray(values[row], dtype=np.float64))
+        numbers = " ".join(f"{value:g}" for value in values[row].tolist())
         raise FileError(f"{what} {row} is {numbers}; finite numbers below 3.4e38 are needed")
     return points
 

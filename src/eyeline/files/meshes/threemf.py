@@ -125,7 +125,7 @@ def add_outline(outline: Outline, model: bytes) -> None:
             no_network=True,
             load_dtd=False,
         ):
-            tag = etree.QName(element).localname if isinstance(element.tag, str) else ""
+            tag = str(element.tag).rpartition("}")[2]
             if event == "end":
                 if tag not in ("model", "resources", "build"):
                     element.clear()
