@@ -42,7 +42,8 @@ class Clip:
     def pose(self, scene: Scene, time: float) -> Scene:
         """`scene` as it stands at `time`, seconds; before the first key and after the last it holds.
 
-        Only nodes that are moved are new. Refused: a track of something the scene does not have.
+        The answer has no clips, and only nodes that are moved are new in it. Refused: a track of something
+        that the scene does not have.
         """
         return self._plan(scene).pose(scene, time)
 

@@ -47,36 +47,17 @@ class Plan:
         paths = {path: index for index, path in enumerate(scene.paths)}
         nodes = [find(track, scene, paths, materials) for track in tracks]
         _refuse_twice(tracks, nodes)
-
-        # Columns: every node's place, all morph weights, then what else moves
-        count, weights, end = len(scene.nodes), {}, 10 * len(scene.nodes)
-        for node, values in still.weights.items():
-            weights[node] = (end, end + values.shape[1])
-            end = weights[node][1]
-        places = []
-        for track, node in zip(tracks, nodes, strict=True):
-            if node >= 0 and track.property in PARTS:
-                before, width = PARTS[track.property]
-                places.append((before * count, width * count, width * node))
-            elif node >= 0 and track.property == "weights":
-                places.append((weights[node][0], track.curve.width, 0))
-            else:
-                places.append((end, track.curve.width, 0))
-                end += track.curve.width
-
+        weights, places, end = _columns(tracks, nodes, still)
         moved = {node for track, node in zip(tracks, nodes, strict=True) if track.property in PARTS}
         rest = [still.translation, still.rotation, still.scale, *still.weights.values()]
+        rest.append(np.zeros(end - sum(part.size for part in rest)))
         return cls(
-            bundle=Bundle.of(
-                [track.curve for track in tracks], np.array(places, np.int64).reshape(-1, 3), end
-            ),
-            rest=np.concatenate(
-                [part.reshape(-1) for part in rest] + [np.zeros(end - sum(part.size for part in rest))]
-            ),
+            bundle=Bundle.of([track.curve for track in tracks], places, end),
+            rest=np.concatenate([part.reshape(-1) for part in rest]),
             parents=still.parents,
             weights=weights,
             targets=tuple(
-                Target.of(track, node, before + column)
+                Target.of(track, node, int(before + column))
                 for track, node, (before, _, column) in zip(tracks, nodes, places, strict=True)
             ),
             unfolded={node: _parts(still, node) for node in moved & set(still.fixed)},
@@ -85,8 +66,8 @@ class Plan:
         )
 
     def pose(self, scene: Scene, time: float) -> Scene:
-        """The scene at one time; what no track moves stays the same object."""
-        state = self.bundle.at(np.array([time]), self.rest.copy()).tolist()
+        """The scene at one time, without clips; what no track moves stays the same object."""
+        state = self.bundle.at(np.array([time]), self.rest.copy())
         nodes: dict[int, dict[str, Any]] = {node: dict(parts) for node, parts in self.unfolded.items()}
         materials: dict[str, dict[str, Any]] = {}
         for target in self.targets:
@@ -101,7 +82,7 @@ class Plan:
         posed = list(scene.nodes)
         for node, changes in nodes.items():
             posed[node] = posed[node].changed(**resolved(posed[node], changes))
-        return replace(scene, nodes=tuple(posed))
+        return replace(scene, nodes=tuple(posed), clips=())
 
     def sample(self, times: FloatArray) -> Samples:
         """All node transforms and morph weights at times (T,)."""
@@ -139,6 +120,29 @@ class Plan:
                 meshes[id(mesh)] = mesh.changed(materials=worn)
             painted[node] = meshes[id(mesh)]
         return painted
+
+
+def _columns(
+    tracks: Sequence[Track], nodes: Sequence[int], still: Samples
+) -> tuple[dict[int, tuple[int, int]], IntArray, int]:
+    """Each node's weights, each track's place as `Bundle.of` takes it, and the number of columns."""
+    count = len(still.parents)
+    end = 10 * count
+    weights = {}
+    for node, values in still.weights.items():
+        weights[node] = (end, end + values.shape[1])
+        end = weights[node][1]
+    places = []
+    for track, node in zip(tracks, nodes, strict=True):
+        if track.property in PARTS:
+            before, width = PARTS[track.property]
+            places.append((before * count, width * count, width * node))
+        elif track.property == "weights":
+            places.append((weights[node][0], track.curve.width, 0))
+        else:
+            places.append((end, track.curve.width, 0))
+            end += track.curve.width
+    return weights, np.array(places, np.int64).reshape(-1, 3), end
 
 
 def _materials(scene: Scene) -> tuple[dict[str, Material], dict[str, list[int]]]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
 from eyeline.errors import SceneError
+from eyeline.geometry.arrays import FloatArray
 from eyeline.motion.track import Track
 from eyeline.scene.material import Material
 from eyeline.scene.scene import Scene, suggestion
@@ -60,17 +61,16 @@ class Target:
             high,
         )
 
-    def value(self, state: Sequence[float]) -> Any:
+    def value(self, state: FloatArray) -> Any:
         """What the property becomes."""
+        numbers = tuple(state[self.first : self.end].tolist())
         if self.path == ("visible",):
-            return state[self.first] > 0.5
-        if self.scalar:
-            return min(max(state[self.first], self.low), self.high)
-        if self.low == -math.inf:
-            return tuple(state[self.first : self.end])
-        return tuple(min(max(number, self.low), self.high) for number in state[self.first : self.end])
+            return numbers[0] > 0.5
+        if self.low > -math.inf:
+            numbers = tuple(min(max(number, self.low), self.high) for number in numbers)
+        return numbers[0] if self.scalar else numbers
 
-    def enter(self, changes: dict[str, Any], state: Sequence[float]) -> None:
+    def enter(self, changes: dict[str, Any], state: FloatArray) -> None:
         """Note the new value among a thing's changes, nested as the path is."""
         for name in self.path[:-1]:
             changes = changes.setdefault(name, {})

@@ -23,7 +23,7 @@ class Animation(Protocol):
         """Seconds from 0 to its last key."""
 
     def pose(self, scene: Scene, time: float) -> Scene:
-        """`scene` as it stands at `time`, seconds; before the first key and after the last it holds."""
+        """`scene` as it stands at `time`, seconds, without clips; it holds outside its keys."""
 
     def sample(self, scene: Scene, times: FloatArray) -> Samples:
         """All node transforms and morph weights at `times` (T,), in one batch."""

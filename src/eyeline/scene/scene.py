@@ -172,7 +172,7 @@ class Scene:
         if not np.isfinite(time):
             raise SceneError(f"time is {time}; a finite number of seconds is needed")
         chosen = self.clip(clip)
-        return self if chosen is None else replace(chosen.pose(self, float(time)), clips=())
+        return self if chosen is None else chosen.pose(self, float(time))
 
     def sample(self, times: npt.ArrayLike, clip: str | int | None = None) -> Samples:
         """Node transforms and morph weights at many times (T,) at once; no scene is copied."""
