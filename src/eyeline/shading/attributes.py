@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
+from eyeline.geometry.arrays import FloatArray
 from eyeline.jit import helper, kernel
 from eyeline.shading.barycentric import corners_of, edges_of, mixed, shares_at
+from eyeline.shading.encoding import DECODED
 from eyeline.shading.geometry_table import (
     COLORS,
     FACE_MATERIAL,
@@ -33,20 +37,37 @@ from eyeline.shading.lanes import (
     OCCLUSION,
     RED,
     ROUGHNESS,
+    ROWS,
     UNLIT,
     X,
     Y,
     Z,
 )
 from eyeline.shading.material_table import BASE, BLENDED, EMISSION, METAL, NO_LIGHT, ROUGH
+from eyeline.shading.reflectance import prepare
+from eyeline.shading.surface_points import SurfacePoints
 from eyeline.shading.texturing import has_textures, texture_point
+
+if TYPE_CHECKING:
+    from eyeline.shading.frame import Frame
+
+
+def attributes_of(frame: Frame, points: SurfacePoints) -> FloatArray:
+    """(ROWS, K) float32: what the surface is like at each point, by the rows of `lanes`; normals unit."""
+    count = len(points)
+    lanes, painted = np.empty((ROWS, max(count, 1)), np.float32), np.full(max(count, 1), -1)
+    where = points.face, points.x, points.y
+    gather(frame.geometry, frame.materials, DECODED, where, 0, count, False, lanes, painted)
+    prepare(lanes, count, frame.sight)
+    return lanes
 
 
 @kernel
-def gather(geometry, materials, decoded, points, begin, end, faceted, lanes):
+def gather(geometry, materials, decoded, points, begin, end, faceted, lanes, painted):
     """Fill the lanes of points begin .. end; points: their (face, x, y) arrays.
 
-    faceted: the face's own normal in place of the interpolated one.
+    faceted: the face's own normal in place of the interpolated one. painted: of each lane, the material whose
+    plain numbers it still holds from the tile before, or -1.
     """
     faces, xs, ys = points
     surface, current = 0, -1
@@ -72,7 +93,9 @@ def gather(geometry, materials, decoded, points, begin, end, faceted, lanes):
             lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = facing
         else:
             write_normal(geometry, surface, corners, shares, side, lanes, lane)
-        write_material(materials.factors, material, lanes, lane)
+        if painted[lane] != material:
+            write_material(materials.factors, material, lanes, lane)
+        painted[lane] = -1 if coloured or textured else material
         if coloured:
             tint(geometry, surface, corners, shares, lanes, lane)
         if textured:
@@ -90,7 +113,8 @@ def gather(geometry, materials, decoded, points, begin, end, faceted, lanes):
                 lanes,
                 lane,
             )
-        lanes[ALPHA, lane] = lanes[COVER, lane] if materials.factors[material, BLENDED] > 0 else np.float32(1)
+        if (coloured or textured) and materials.factors[material, BLENDED] > 0:
+            lanes[ALPHA, lane] = lanes[COVER, lane]
 
 
 @helper
@@ -184,6 +208,7 @@ def write_material(factors, material, lanes, lane):
     lanes[EMISSIVE_BLUE, lane] = factors[material, EMISSION + 2]
     lanes[UNLIT, lane] = factors[material, NO_LIGHT]
     lanes[OCCLUSION, lane] = np.float32(1)
+    lanes[ALPHA, lane] = factors[material, BASE + 3] if factors[material, BLENDED] > 0 else np.float32(1)
 
 
 @helper

@@ -18,6 +18,7 @@ from eyeline.shading.lanes import (
     NY,
     NZ,
     OCCLUSION,
+    OPEN,
     OUT_BLUE,
     OUT_GREEN,
     OUT_RED,
@@ -79,7 +80,7 @@ def add_environment(lanes, count, parts):
         box = min(max(HALF + HALF * (rx * bx + ry * by + rz * bz - BOX_COSINE) / rim, ZERO), ONE)
         box = box * box * (np.float32(3) - TWO * box) * (ONE - np.float32(0.75) * roughness)
         # How much of it creases leave open, for the hemisphere and for the mirror [Lagarde14]
-        open_part = lanes[OCCLUSION, i]
+        open_part = lanes[OCCLUSION, i] * lanes[OPEN, i]
         open_mirror = min(max((to_eye + open_part) * (to_eye + open_part) - ONE + open_part, ZERO), ONE)
         half_up = (HALF + HALF * ny) * open_part
         half_down = (HALF - HALF * ny) * open_part

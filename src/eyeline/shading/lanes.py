@@ -16,12 +16,13 @@ GX, GY, GZ = 6, 7, 8
 RED, GREEN, BLUE, ALPHA = 9, 10, 11, 12
 COVER = 13
 METALLIC, ROUGHNESS = 14, 15
-OCCLUSION = 16  # 1 open .. 0 closed: how much of the surroundings a point sees
+OCCLUSION = 16  # 1 open .. 0 closed: how much of the surroundings a point sees, by its texture
 UNLIT = 17  # 1 shows the base colour, whatever the light
 EMISSIVE_RED, EMISSIVE_GREEN, EMISSIVE_BLUE = 18, 19, 20
 # Unit direction to the eye
 VX, VY, VZ = 21, 22, 23
-# What arrives of the light at hand, 0..1, and the light that leaves for the eye
+# What arrives of the light at hand, 0..1; how open the surroundings on the screen are; the light for the eye
 LIT = 24
-OUT_RED, OUT_GREEN, OUT_BLUE = 25, 26, 27
-ROWS = 28
+OPEN = 25
+OUT_RED, OUT_GREEN, OUT_BLUE = 26, 27, 28
+ROWS = 29

@@ -7,14 +7,17 @@ It is found at half the picture's resolution, smoothed where depth is smooth, an
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
-from eyeline.jit import helper, kernel, share, threads
+from eyeline.jit import kernel, share, threads
 from eyeline.projection.projected import Projected
 from eyeline.shading.floor import Floor
+from eyeline.shading.lanes import OPEN, X, Y, Z
+from eyeline.shading.region import Region
 from eyeline.visibility.method import Visible
 
 REACH_PART = 0.07  # of the scene's diagonal: how far a neighbour can be and still darken
@@ -26,7 +29,8 @@ FAR = np.float32(1e18)  # metres to nothing
 LEAST_RISE = 0.08  # sine over a pixel's plane below which a neighbour is the surface itself
 STRENGTH = 1.9  # so that a right-angled crease is about as dark as a hemisphere half closed
 SMOOTHING = 3  # pixels to each side
-ZERO, HALF, ONE, TINY = np.float32(0), np.float32(0.5), np.float32(1), np.float32(1e-30)
+LEAST_ALIKE = np.float32(1e-3)
+ZERO, ONE, TINY = np.float32(0), np.float32(1), np.float32(1e-30)
 
 
 class Openness(NamedTuple):
@@ -35,40 +39,56 @@ class Openness(NamedTuple):
     width: int  # with the margins
     open: FloatArray  # flat float32, 0..1
     distance: FloatArray  # flat float32, metres along the view axis
-    alike: float  # metres of distance within which neighbours belong together
+    per_alike: float  # one over the metres of distance within which neighbours belong together
+    matrix: (
+        FloatArray  # (4, 4) float32: places from the eye to column w, row w, w with margins, and the distance
+    )
 
 
-def openness_of(visible: Visible, floor: Floor | None, diagonal: float, amount: float) -> Openness:
-    """The openness of a visible answer; the floor counts as a surface.
+def openness_of(
+    visible: Visible, floor: Floor | None, region: Region, diagonal: float, amount: float
+) -> Openness:
+    """The openness of a visible answer; the floor counts as a surface, and all outside the region is open.
 
     diagonal: of the scene, metres; amount: 0 nothing darkens .. 1.
     """
     projected = visible.projected
     rows, columns = (projected.height + 1) // 2, (projected.width + 1) // 2
     height, width = rows + 2 * MARGIN, columns + 2 * MARGIN
-    distance = np.full(height * width, FAR, np.float32)
-    lens = lens_of(projected)
-    floor_rows = floor.distances if floor is not None else np.zeros(3)
-    parts = threads()
-    share(
-        lambda part: halve(
-            visible.depth, lens, floor_rows, distance, width, part * rows // parts, (part + 1) * rows // parts
-        ),
-        parts,
-    )
     reach = REACH_PART * diagonal
-    spiral = _spiral(_reach_in_pixels(projected, reach), width)
-    rough, across, smooth = (np.ones(height * width, np.float32) for _ in range(3))
-    numbers = np.array([1 / reach**2, LEAST_RISE, amount * STRENGTH / TAPS], np.float32)
-    alike = float(reach) / 4
+    distance, rough, across, smooth = (np.ones(height * width, np.float32) for _ in range(4))
+    if amount > 0 and region.width > 0:
+        distance[:] = FAR
+        lens = lens_of(projected)
+        spiral = _spiral(_reach_in_pixels(projected, reach), width)
+        numbers = np.array([1 / reach**2, LEAST_RISE, amount * STRENGTH / TAPS, 4 / reach], np.float32)
+        floor_rows = floor.distances if floor is not None else np.zeros(3)
+        left, right = region.left // 2, (region.right + 1) // 2
+        top, bottom = region.top // 2, (region.bottom + 1) // 2
+        parts = min(threads(), rows)
 
-    def over(task: object, *arguments: object) -> None:
-        share(lambda part: task(*arguments, part * rows // parts, (part + 1) * rows // parts), parts)  # type: ignore[operator]
+        def over(task: Callable[..., None], low: int, high: int, *arguments: object) -> None:
+            cuts = [low + (high - low) * part // parts for part in range(parts + 1)]
+            share(lambda part: task(*arguments, width, cuts[part], cuts[part + 1]), parts)
 
-    over(obscure, distance, lens, spiral, numbers, rough, width, columns)
-    over(smooth_along, rough, distance, across, np.float32(alike), width, columns, 1)
-    over(smooth_along, across, distance, smooth, np.float32(alike), width, columns, width)
-    return Openness(width, smooth, distance, alike)
+        over(halve, 0, rows, visible.depth, lens, floor_rows, distance)
+        over(obscure, top, bottom, distance, lens, spiral, numbers, rough, left, right)
+        over(smooth_along, top, bottom, rough, distance, across, numbers, left, right, 1)
+        over(smooth_along, top, bottom, across, distance, smooth, numbers, left, right, width)
+    return Openness(width, smooth, distance, 4 / reach, _half_from_place(projected))
+
+
+def _half_from_place(projected: Projected) -> FloatArray:
+    """(4, 4) float32, see Openness.matrix."""
+    camera = projected.camera
+    eye = np.eye(4)
+    eye[:3, 3] = camera.world_from_eye[:3, 3]
+    width, height = projected.width, projected.height
+    # Half-size pixel c stands for the picture's pixel 2c, centred at 2c + 1/2
+    shift_x, shift_y = width / 4 - 0.25 + MARGIN, height / 4 - 0.25 + MARGIN
+    half = np.array([[width / 4, 0, 0, shift_x], [0, -height / 4, 0, shift_y], [0, 0, 0, 1]])
+    distance = -(camera.eye_from_world @ eye)[2:3]
+    return np.vstack([half @ projected.clip_from_world @ eye, distance]).astype(np.float32)
 
 
 def lens_of(projected: Projected) -> FloatArray:
@@ -131,15 +151,17 @@ def halve(depth, lens, floor, distance, width, top, bottom):
 
 
 @kernel
-def obscure(distance, lens, spiral, numbers, openness, width, columns, top, bottom):
+def obscure(distance, lens, spiral, numbers, openness, left_end, right_end, width, top, bottom):
     """Fill openness, unsmoothed: a row at a time, a tap at a time, so that the innermost loop is a vector's."""
     per_squared_reach, least, strength = numbers[0], numbers[1], numbers[2]
     perspective = lens[4]
     flat = ONE - perspective
-    x0, x1, y0, y1 = lens[0], lens[1], lens[2], lens[3]
+    x1, y0, y1 = lens[1], lens[2], lens[3]
+    x0 = lens[0] + x1 * np.float32(left_end)
+    columns = right_end - left_end
     lines = np.empty((6, columns), np.float32)
     for row in range(top, bottom):
-        start = (row + MARGIN) * width + MARGIN
+        start = (row + MARGIN) * width + MARGIN + left_end
         nearest = FAR
         for column in range(columns):
             nearest = min(nearest, distance[start + column])
@@ -197,36 +219,49 @@ def obscure(distance, lens, spiral, numbers, openness, width, columns, top, bott
 
 
 @kernel
-def smooth_along(rough, distance, smooth, alike, width, columns, step, top, bottom):
+def smooth_along(rough, distance, smooth, numbers, left_end, right_end, step, width, top, bottom):
     """Fill smooth with the mean of each pixel's neighbours, `step` apart, that are as far from the eye."""
-    per_alike = ONE / alike
+    per_alike = numbers[3]
     for row in range(top, bottom):
         start = (row + MARGIN) * width + MARGIN
-        for column in range(columns):
-            i = start + column
+        for i in range(start + left_end, start + right_end):
             here = distance[i]
             total, weights = rough[i], ONE
             for k in range(1, SMOOTHING + 1):
-                for j in (i - k * step, i + k * step):
-                    weight = max(ONE - abs(distance[j] - here) * per_alike, ZERO)
-                    total += rough[j] * weight
-                    weights += weight
+                j = i - k * step
+                weight = max(ONE - abs(distance[j] - here) * per_alike, ZERO)
+                total += rough[j] * weight
+                weights += weight
+                j = i + k * step
+                weight = max(ONE - abs(distance[j] - here) * per_alike, ZERO)
+                total += rough[j] * weight
+                weights += weight
             smooth[i] = total / weights
 
 
-@helper
-def open_at(width, values, distances, alike, x, y, distance):
-    """How open it is at (x, y) of the picture on a surface this far away: the four nearest that are as far."""
-    u, v = (x - HALF) * HALF, (y - HALF) * HALF
-    column, row = math.floor(u), math.floor(v)
-    right, down = np.float32(u - column), np.float32(v - row)
-    first = (int(row) + MARGIN) * width + MARGIN + int(column)
-    total, weights = ZERO, TINY
-    for k in range(4):
-        i = first + (k & 1) + (k >> 1) * width
-        weight = (right if k & 1 else ONE - right) * (down if k >> 1 else ONE - down)
-        # A little for those of other distances, should there be no alike
-        weight *= max(ONE - abs(distances[i] - distance) / np.float32(alike), np.float32(1e-3))
-        total += values[i] * weight
-        weights += weight
-    return total / weights
+@kernel
+def look_up(lanes, count, openness):
+    """Fill OPEN with how open it is around each point: of the four nearest pixels, those that are as far away."""
+    m, width, per_alike = openness.matrix, openness.width, np.float32(openness.per_alike)
+    values, distances = openness.open, openness.distance
+    most_u = np.float32(width - 2)
+    most_v = np.float32(values.shape[0] // width - 2)
+    for i in range(count):
+        x, y, z = lanes[X, i], lanes[Y, i], lanes[Z, i]
+        per_w = ONE / (m[2, 0] * x + m[2, 1] * y + m[2, 2] * z + m[2, 3])
+        u = (m[0, 0] * x + m[0, 1] * y + m[0, 2] * z + m[0, 3]) * per_w
+        v = (m[1, 0] * x + m[1, 1] * y + m[1, 2] * z + m[1, 3]) * per_w
+        away = m[3, 0] * x + m[3, 1] * y + m[3, 2] * z + m[3, 3]
+        u, v = min(max(u, ZERO), most_u), min(max(v, ZERO), most_v)
+        column, row = np.int32(u), np.int32(v)
+        right, down = u - np.float32(column), v - np.float32(row)
+        a = row * width + column
+        b, c = a + 1, a + width
+        d = c + 1
+        # A little of each, should none be alike
+        wa = max(ONE - abs(distances[a] - away) * per_alike, LEAST_ALIKE) * (ONE - right) * (ONE - down)
+        wb = max(ONE - abs(distances[b] - away) * per_alike, LEAST_ALIKE) * right * (ONE - down)
+        wc = max(ONE - abs(distances[c] - away) * per_alike, LEAST_ALIKE) * (ONE - right) * down
+        wd = max(ONE - abs(distances[d] - away) * per_alike, LEAST_ALIKE) * right * down
+        total = values[a] * wa + values[b] * wb + values[c] * wc + values[d] * wd
+        lanes[OPEN, i] = total / (wa + wb + wc + wd)

@@ -6,8 +6,6 @@ themselves however wide the filter is. [Isidoro06]
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from eyeline.jit import helper, kernel
@@ -16,10 +14,11 @@ from eyeline.shading.light_table import AT, NEARNESS
 from eyeline.shading.shadow_map import BLOCK, CALM, EMPTY, MATRIX, PLANES, UNIT, UNIT_BY_DEPTH, WIDENING
 
 ZERO, ONE = np.float32(0), np.float32(1)
-REACH = 4  # texels from the middle that a filter of 8 x 8 covers
+TAPS = 8  # texels of a filter along each side
+REACH = 4  # texels that it covers to each side of its middle
 NARROWEST = np.float32(1.5)  # texels: the radius of the sharpest outline
 STEEPEST = 12.0  # texels of depth for each across: beyond, a face is lit so flatly that it is dark anyway
-SLACK = 0.5  # texels of depth that a blocker must stand out by
+SLACK, SLACK_OF_SLOPE = 0.5, 0.25  # texels of depth, and of the slope, that a blocker must stand out by
 
 
 @kernel
@@ -27,20 +26,17 @@ def arrive(lanes, count, maps, lights, light):
     """Fill LIT with the part of one light that arrives, 0..1."""
     first, sides = maps.of_light[light, 0], maps.of_light[light, 1]
     nearness = lights[light, NEARNESS]
+    scratch = np.empty(2 * TAPS, np.float32)
     for i in range(count):
-        lit = ONE
+        lanes[LIT, i] = ONE
         x = lights[light, AT] - lanes[X, i] * nearness
         y = lights[light, AT + 1] - lanes[Y, i] * nearness
         z = lights[light, AT + 2] - lanes[Z, i] * nearness
         # What turns away is dark without a shadow
-        towards = x * lanes[NX, i] + y * lanes[NY, i] + z * lanes[NZ, i]
-        if sides > 0 and towards > 0:
+        if sides > 0 and x * lanes[NX, i] + y * lanes[NY, i] + z * lanes[NZ, i] > 0:
             side = first + (cube_side(-x, -y, -z) if sides > 1 else 0)
-            lit = arriving(
-                maps.rows, maps.depth, maps.blocks, maps.size, side,
-                (lanes[X, i], lanes[Y, i], lanes[Z, i]), (lanes[GX, i], lanes[GY, i], lanes[GZ, i]),
-            )  # fmt: skip
-        lanes[LIT, i] = lit
+            normal = lanes[GX, i], lanes[GY, i], lanes[GZ, i]
+            lanes[LIT, i] = arriving(maps, side, lanes[X, i], lanes[Y, i], lanes[Z, i], normal, scratch)
 
 
 @helper
@@ -54,46 +50,51 @@ def cube_side(x, y, z):
 
 
 @helper
-def arriving(rows, depth, blocks, size, index, place, normal):
+def arriving(maps, index, x, y, z, normal, scratch):
     """The part of a light, 0..1, that a map lets through to a place on a face with this normal."""
-    x, y, z = float(place[0]), float(place[1]), float(place[2])
+    rows, size = maps.rows, maps.size
     w = along(rows, index, MATRIX + 12, x, y, z, 1.0)
-    if w <= 0:
-        return ONE
-    u = along(rows, index, MATRIX, x, y, z, 1.0) / w
-    v = along(rows, index, MATRIX + 4, x, y, z, 1.0) / w
-    if not (0 <= u < size and 0 <= v < size):
+    per_w = 1.0 / w
+    u = along(rows, index, MATRIX, x, y, z, 1.0) * per_w
+    v = along(rows, index, MATRIX + 4, x, y, z, 1.0) * per_w
+    # Near its border, and behind its eye, a map knows nothing
+    if not (w > 0 and BLOCK <= u < size - BLOCK and BLOCK <= v < size - BLOCK):
         return ONE
     per_row = size // BLOCK
-    state = blocks[index * per_row * per_row + (int(v) // BLOCK) * per_row + int(u) // BLOCK]
+    state = maps.blocks[index * per_row * per_row + (int(v) // BLOCK) * per_row + int(u) // BLOCK]
     if state == EMPTY:
         return ONE
-    here = along(rows, index, MATRIX + 8, x, y, z, 1.0) / w
+    here = along(rows, index, MATRIX + 8, x, y, z, 1.0) * per_w
     unit = rows[index, UNIT] + rows[index, UNIT_BY_DEPTH] * here
     slope_u, slope_v = plane_slopes(rows, index, x, y, z, normal, unit)
-    start = index * size * size
-    # Depth on the receiver's plane at texel (0, 0), in front of which a texel shades
-    slack = SLACK * unit + 0.25 * (abs(slope_u) + abs(slope_v))
-    plane = here + slack - slope_u * (u - 0.5) - slope_v * (v - 0.5)
+    start = index * (size * size + size * size // 4)
+    here += SLACK * unit + SLACK_OF_SLOPE * (abs(slope_u) + abs(slope_v))
     if state == CALM:
         column, row = int(u), int(v)
-        shaded = depth[start + row * size + column] > max(plane + slope_u * column + slope_v * row, 0.0)
-        return ZERO if shaded else ONE
-    radius = penumbra(rows, depth, size, index, u, v, here, plane, slope_u, slope_v)
-    step = 1
-    while radius > REACH * step:
-        step *= 2
-    return filtered(depth, size, start, u, v, plane, slope_u, slope_v, radius, step)
+        # Nothing, depth 0, shades nothing, not even what lies beyond all depth
+        limit = max(here + slope_u * (column + 0.5 - u) + slope_v * (row + 0.5 - v), 0.0)
+        return ZERO if maps.depth[start + row * size + column] > limit else ONE
+    coarse = start + size * size
+    found, depth_of_found = blockers(maps.depth, coarse, size // 2, u, v, here, slope_u, slope_v, scratch)
+    if found == TAPS * TAPS:
+        return ZERO
+    radius = NARROWEST
+    if found > 0:
+        wide = (depth_of_found / found - here) * rows[index, WIDENING]
+        radius = np.float32(min(max(wide, float(NARROWEST)), float(BLOCK)))
+    level = 0
+    while radius > REACH << level:
+        start += (size >> level) * (size >> level)
+        level += 1
+    return filtered(maps.depth, start, size >> level, level, u, v, here, slope_u, slope_v, radius, scratch)
 
 
 @helper
 def along(rows, index, column, x, y, z, w):
     """One row of a matrix times (x, y, z, w)."""
+    m = rows
     return (
-        rows[index, column] * x
-        + rows[index, column + 1] * y
-        + rows[index, column + 2] * z
-        + rows[index, column + 3] * w
+        m[index, column] * x + m[index, column + 1] * y + m[index, column + 2] * z + m[index, column + 3] * w
     )
 
 
@@ -115,48 +116,56 @@ def plane_slopes(rows, index, x, y, z, normal, unit):
 
 
 @helper
-def penumbra(rows, depth, size, index, u, v, here, plane, slope_u, slope_v):
-    """The radius of the filter, texels: the farther the blockers, the wider."""
-    start = index * size * size
-    column, row = 4 * (int(u) // 4 - 3) + 2, 4 * (int(v) // 4 - 3) + 2
-    total, blockers = 0.0, 0
-    for j in range(8):
-        y = min(max(row + 4 * j, 0), size - 1)
-        for i in range(8):
-            x = min(max(column + 4 * i, 0), size - 1)
-            there = depth[start + y * size + x]
-            if there > max(plane + slope_u * x + slope_v * y, 0.0):
-                total += there
-                blockers += 1
-    if blockers == 0:
-        return NARROWEST
-    wide = (total / blockers - here) * rows[index, WIDENING]
-    return np.float32(min(max(wide, NARROWEST), float(BLOCK)))
+def blockers(depth, start, size, u, v, here, slope_u, slope_v, scratch):
+    """How many texels of the coarsest level around (u, v) shade the receiver's plane, and their depths' sum."""
+    for i in range(2 * TAPS):
+        scratch[i] = ZERO
+    column, row = int(u) // 2 - TAPS // 2 + 1, int(v) // 2 - TAPS // 2 + 1
+    base = start + row * size + column
+    step = np.float32(2 * slope_u)
+    limit = np.float32(here + slope_u * (2 * column + 0.5 - u) + slope_v * (2 * row + 0.5 - v))
+    for _ in range(TAPS):
+        for i in range(TAPS):
+            there = depth[base + i]
+            shading = there > max(limit + step * np.float32(i), ZERO)
+            scratch[i] += ONE if shading else ZERO
+            scratch[TAPS + i] += there if shading else ZERO
+        base += size
+        limit += np.float32(2 * slope_v)
+    found, total = ZERO, ZERO
+    for i in range(TAPS):
+        found += scratch[i]
+        total += scratch[TAPS + i]
+    return found, total
 
 
 @helper
-def filtered(depth, size, start, u, v, plane, slope_u, slope_v, radius, step):
-    """The part of the texels around (u, v) that do not shade, each weighed by its nearness.
-
-    step: every step-th texel is looked at.
-    """
+def filtered(depth, start, size, level, u, v, here, slope_u, slope_v, radius, scratch):
+    """The part of a level's texels around (u, v) that do not shade, each weighed by its nearness."""
+    step = np.float32(1 << level)
     middle_u, middle_v = (u - 0.5) / step, (v - 0.5) / step
-    column, row = math.floor(middle_u) - 3, math.floor(middle_v) - 3
-    per_radius = np.float32(step) / radius
-    total, open_part = ZERO, ZERO
-    for j in range(8):
-        away = np.float32(row + j - middle_v) * per_radius
-        weight_v = max(ONE - away * away, ZERO)
-        if weight_v == 0:
-            continue
-        y = min(max((row + j) * step, 0), size - 1)
-        limit = plane + slope_v * y
-        for i in range(8):
-            away = np.float32(column + i - middle_u) * per_radius
-            weight = max(ONE - away * away, ZERO) * weight_v
-            x = min(max((column + i) * step, 0), size - 1)
-            total += weight
-            # Nothing, depth 0, shades nothing, not even what lies beyond all depth
-            if depth[start + y * size + x] <= max(np.float32(limit + slope_u * x), ZERO):
-                open_part += weight
-    return open_part / total
+    column, row = int(middle_u) - TAPS // 2 + 1, int(middle_v) - TAPS // 2 + 1
+    base = start + row * size + column
+    du, dv = np.float32(slope_u) * step, np.float32(slope_v) * step
+    away_u, away_v = np.float32(column - middle_u), np.float32(row - middle_v)
+    limit = np.float32(here) + du * away_u + dv * away_v
+    per_radius = step / radius
+    for i in range(TAPS):
+        scratch[i] = ZERO
+    total_v = ZERO
+    for _ in range(TAPS):
+        weight = max(ONE - away_v * away_v * per_radius * per_radius, ZERO)
+        total_v += weight
+        for i in range(TAPS):
+            shading = depth[base + i] > max(limit + du * np.float32(i), ZERO)
+            scratch[i] += ZERO if shading else weight
+        base += size
+        away_v += ONE
+        limit += dv
+    total_u, open_part = ZERO, ZERO
+    for i in range(TAPS):
+        weight = max(ONE - away_u * away_u * per_radius * per_radius, ZERO)
+        total_u += weight
+        open_part += scratch[i] * weight
+        away_u += ONE
+    return open_part / (total_u * total_v)

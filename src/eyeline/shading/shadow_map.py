@@ -16,11 +16,12 @@ from eyeline.projection.project import project
 from eyeline.projection.projected import Projected
 from eyeline.scene.camera import Camera
 from eyeline.scene.scene import Scene
-from eyeline.shading.alpha import faces_of, has
+from eyeline.shading.cutout import see
 from eyeline.shading.light_table import PlacedLight
 from eyeline.visibility.zbuffer import ZBuffer
 
-BLOCK = 16  # texels; as far as the widest filter reaches
+BLOCK = 8  # texels; as far as the widest filter reaches. A map has nothing of its own so near its border
+LEVELS = 2  # of the map: every texel, and every second for filters that reach twice as far
 EMPTY, CALM, EDGY = 0, 1, 2  # what a block and its neighbours hold: nothing, one smooth surface, an outline
 # Columns of `rows`: map_from_place (4, 4), by rows, to u w, v w, depth w, w in texels from places seen from the
 # eye; the first three rows of its inverse transpose (3, 4), which moves planes; and numbers
@@ -39,7 +40,7 @@ class ShadowMaps(NamedTuple):
 
     size: int
     rows: FloatArray  # (M, 31) float64
-    depth: FloatArray  # flat float32, map after map; reversed, 0 is nothing
+    depth: FloatArray  # flat float32, map after map, level after level; reversed, 0 is nothing
     blocks: ByteArray  # flat uint8, map after map, (size / BLOCK)^2 each: EMPTY, CALM or EDGY
     of_light: IntArray  # (L, 2) int64: each light's first map, and how many: 0, 1, or 6 for a cube
 
@@ -49,56 +50,55 @@ def shadow_maps(
 ) -> ShadowMaps:
     """The maps of the first of `count` lights, those that are casting, until `most` are drawn.
 
-    size: texels along a side, a multiple of BLOCK. A blended surface casts no shadow.
+    size: texels along a side, a multiple of BLOCK. Blended surfaces cast no shadow, and holes let light pass.
     """
     of_light = np.zeros((count, 2), np.int64)
     rows, depths, blocks = [], [], []
     bounds = scene.bounds
-    for index, placed in enumerate(casting):
-        cameras = light_cameras(placed, bounds)
-        if bounds.is_empty or len(rows) + len(cameras) > most:
+    for index, placed in enumerate(() if bounds.is_empty else casting):
+        cameras = light_cameras(placed, bounds, size / (size - 2 * BLOCK - 4))
+        if len(rows) + len(cameras) > most:
             continue
         of_light[index] = len(rows), len(cameras)
         for camera in cameras:
             row, depth = _draw(scene, camera, placed, eye, size)
             rows.append(row)
-            depths.append(depth)
-            blocks.append(_blocks(depth, row, size))
+            depths.extend(depth[:: 1 << level, :: 1 << level].reshape(-1) for level in range(LEVELS))
+            blocks.append(_blocks(depth.reshape(-1), row, size))
     nothing = np.zeros(0, np.float32)
     return ShadowMaps(
         size,
         np.array(rows).reshape(-1, COLUMNS),
-        np.concatenate([*depths, nothing]) if len(depths) != 1 else depths[0],
+        np.concatenate([*depths, nothing]),
         np.concatenate([*blocks, nothing.astype(np.uint8)]),
         of_light,
     )
 
 
-def light_cameras(placed: PlacedLight, bounds: Bounds) -> list[Camera]:
-    """The eyes of a light: one, or six for a light that shines all around."""
+def light_cameras(placed: PlacedLight, bounds: Bounds, margin: float) -> list[Camera]:
+    """The eyes of a light: one, or six for a light that shines all around; each sees `margin` times as wide."""
     light, matrix = placed.light, placed.world_from_light
     if light.kind == "directional":
         turned = bounds.moved(np.linalg.inv(matrix))
         width = turned.high - turned.low
         centred = matrix.copy()
         centred[:3, 3] = (matrix @ [*turned.centre, 1.0])[:3]
-        # A margin of two texels in a hundred keeps outlines off the border
-        return [Camera(height=float(max(width[0], width[1])) * 1.04 or 1.0, world_from_eye=centred)]
+        return [Camera(height=float(max(width[0], width[1])) * margin or 1.0, world_from_eye=centred)]
     if light.kind == "spot" and light.outer_cone < math.radians(60):
-        return [Camera(fov=2 * light.outer_cone * 1.02 + 1e-3, world_from_eye=matrix)]
+        half = math.tan(max(light.outer_cone, math.radians(1)))
+        return [Camera(fov=2 * math.atan(half * margin), world_from_eye=matrix)]
     at = np.eye(4)
     at[:3, 3] = matrix[:3, 3]
-    return [Camera(fov=math.radians(91), world_from_eye=at @ side) for side in CUBE]
+    return [Camera(fov=2 * math.atan(margin), world_from_eye=at @ side) for side in CUBE]
 
 
 def _draw(
     scene: Scene, camera: Camera, placed: PlacedLight, eye: FloatArray, size: int
 ) -> tuple[FloatArray, FloatArray]:
-    """The row (31,) of a map, and its depth, flat."""
+    """The row (31,) of a map, and its depth (size, size)."""
     projected = project(scene, camera, (size, size), "none")
-    if has(projected.surfaces, "blend"):
-        projected = projected.only(~faces_of(projected.surfaces, "blend"))
-    depth = ZBuffer()(projected).depth.reshape(-1)
+    ((seen, _, _),) = see(scene, projected, ZBuffer(), see_through=True)
+    depth = seen.depth
     half = np.array([[size / 2, 0, 0, size / 2], [0, -size / 2, 0, size / 2], [0, 0, 1, 0], [0, 0, 0, 1]])
     world_from_place = np.eye(4)
     world_from_place[:3, 3] = eye

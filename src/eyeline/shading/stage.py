@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from eyeline.geometry.arrays import FloatArray
 from eyeline.shading.light_table import light_table
-from eyeline.shading.openness import Openness, openness_of
+from eyeline.shading.openness import MOST_PIXELS, Openness, openness_of
+from eyeline.shading.region import Region, region_of
 from eyeline.shading.shadow_map import BLOCK, ShadowMaps, shadow_maps
 from eyeline.shading.studio import lighting_of
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from eyeline.shading.frame import Frame
 
 MOST_MAPS = 12  # of all lights that cast shadows; a light all around takes six
-LEAST_TEXELS, MOST_TEXELS = 256, 2048
+LEAST_TEXELS, MOST_TEXELS = 256, 1024
 
 
 class Stage(NamedTuple):
@@ -25,7 +26,7 @@ class Stage(NamedTuple):
     shadows: ShadowMaps
     openness: Openness
     sight: FloatArray  # (4,) see `prepare`
-    gaze: FloatArray  # (3,) float32: the way the camera looks
+    region: Region  # what the scene and its shadow on the floor can touch
 
 
 def stage_of(frame: Frame) -> Stage:
@@ -35,12 +36,13 @@ def stage_of(frame: Frame) -> Stage:
     lighting = lighting_of(frame.scene, camera)
     # Of the rig only the key casts a shadow; of the scene's own lights as many as there are maps for
     casting = lighting.lights[: 1 if lighting.studio else None] if frame.look.shadows else ()
-    height = min(frame.size)
-    texels = min(max(round(height / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
+    # Half as fine as the picture: the lights are soft
+    texels = min(max(round(min(frame.size) / 2 / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
     shadows = shadow_maps(frame.scene, casting, len(lighting.lights), eye, texels, MOST_MAPS)
     diagonal = frame.scene.bounds.diagonal or 1.0
-    openness = openness_of(frame.visibles[0][0], frame.floor, diagonal, frame.look.occlusion)
+    to_light = casting[0].world_from_light[:3, 2] if casting and lighting.studio else None
+    region = region_of(frame.scene, frame.projected, frame.floor, to_light, 2 * MOST_PIXELS)
+    openness = openness_of(frame.visibles[0][0], frame.floor, region, diagonal, frame.look.occlusion)
     return Stage(
-        light_table(lighting.lights, eye), lighting.environment, shadows, openness,
-        frame.sight, (-camera.world_from_eye[:3, 2]).astype("float32"),
+        light_table(lighting.lights, eye), lighting.environment, shadows, openness, frame.sight, region
     )  # fmt: skip
