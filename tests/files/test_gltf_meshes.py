@@ -296,3 +296,14 @@ def test_weights_are_scaled_to_one_and_lost_vertices_follow_the_first_joint(tmp_
         "mesh 'mesh 0' has 1 vertices without weights; the first joint moves them",
         "mesh 'mesh 0' has weights that do not add up to 1; they are scaled to",
     )
+
+
+def test_a_texture_on_a_uv_set_that_is_not_there_lies_on_zeros(tmp_path: Path) -> None:
+    builder = Builder()
+    material = bumpy(builder)
+    builder.json["materials"][material]["normalTexture"]["texCoord"] = 1
+    builder.square(material=material)
+    mesh = mesh_of(builder, tmp_path)
+    assert len(mesh.uv) == 2
+    assert not mesh.uv[0].any() and not mesh.uv[1].any()
+    assert mesh.tangents is None

@@ -1,8 +1,4 @@
-"""Blocks of vertices: primitives that share theirs, made complete so that all of a mesh can be joined.
-
-What one block of a mesh has and another lacks is filled: normals as flat as the format asks, tangents where a
-normal texture needs them, UV 0, colour 1.
-"""
+"""Blocks of vertices: those that primitives of a mesh share, and what can be done to them together."""
 
 from __future__ import annotations
 

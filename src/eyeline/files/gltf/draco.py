@@ -9,6 +9,7 @@ import numpy as np
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.accessors import Numbers
+from eyeline.files.gltf.attributes import read_names
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.part import Part
@@ -53,10 +54,11 @@ class Draco:
             raise FileError(
                 f"{packed.place} is no mesh that Draco can unpack; the file is damaged"
             ) from error
-        for name in named.values:
+        names = read_names(named.values)
+        for name in names:
             if named.whole(name) not in stored:
                 raise named.refuse(name, f"the packet holds {sorted(stored)}")
-        attributes = {name: stored[named.whole(name)] for name in named.values}
+        attributes = {name: stored[named.whole(name)] for name in names}
         self.document.numbers.spend(
             faces.size + sum(values.size for values in attributes.values()), packed.place
         )

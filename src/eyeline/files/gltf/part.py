@@ -14,13 +14,18 @@ from typing import Any
 from eyeline.errors import FileError
 from eyeline.files.gltf.limits import LARGEST
 
+LONGEST_SPOKEN = 80  # characters; the longest number that JSON may hold is shorter
+
 _short = reprlib.Repr()
 _short.maxstring = _short.maxother = _short.maxlong = 60
 
 
 def spoken(value: Any) -> str:
     """A value of the file as a sentence shows it: short, on one line."""
-    return _short.repr(value)
+    text = _short.repr(value)
+    if len(text) <= LONGEST_SPOKEN:
+        return text
+    return f"{'a list' if isinstance(value, list) else 'an object'} of {len(value)}"
 
 
 @dataclass(frozen=True)

@@ -2,28 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.accessors import Accessors, normalized
+from eyeline.files.gltf.attributes import TYPES, read_names
 from eyeline.files.gltf.draco import Draco, Unpacked
 from eyeline.files.gltf.part import Part
 from eyeline.files.gltf.topology import TRIANGLES, UNDRAWN, left_over, triangles
 from eyeline.geometry.arrays import FloatArray, IntArray
-
-TYPES: dict[str, tuple[str, ...]] = {
-    "POSITION": ("VEC3",),
-    "NORMAL": ("VEC3",),
-    "TANGENT": ("VEC4",),
-    "TEXCOORD": ("VEC2",),
-    "COLOR": ("VEC3", "VEC4"),
-    "JOINTS": ("VEC4",),
-    "WEIGHTS": ("VEC4",),
-}
-UV_SETS = 2
 
 Attributes = Mapping[str, FloatArray]
 
@@ -135,19 +125,6 @@ class Primitives:
                 raise FileError(f"{target.at(name)} has {len(values)} differences for {count} vertices")
             found[name] = widened(values, 0) if name.startswith("COLOR") else values
         return found
-
-
-def read_names(names: Iterable[str]) -> list[str]:
-    """Those of the attributes that are read: two UV sets, one colour, all joints and weights in order."""
-    found = []
-    for name in sorted(names):
-        kind, _, number = name.partition("_")
-        single = kind in ("POSITION", "NORMAL", "TANGENT") and not number
-        numbered = kind in TYPES and number.isascii() and number.isdigit()
-        limit = {"TEXCOORD": UV_SETS, "COLOR": 1}.get(kind, 16)
-        if single or (numbered and len(number) < 3 and int(number) < limit):
-            found.append(name)
-    return found
 
 
 def widened(colors: FloatArray, alpha: float) -> FloatArray:

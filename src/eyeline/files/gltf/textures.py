@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from eyeline.files.gltf.attributes import UV_SETS
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.images import Images
 from eyeline.files.gltf.part import Part
@@ -13,7 +14,6 @@ WRAPS: dict[int, Wrap] = {33071: "clamp", 33648: "mirror", 10497: "repeat"}
 NEAREST, LINEAR = 9728, 9729
 MAGNIFIED = (NEAREST, LINEAR)
 MINIFIED = (NEAREST, LINEAR, 9984, 9985, 9986, 9987)  # the last four blend or choose halved images
-UV_SETS = 2
 
 
 @dataclass(frozen=True, eq=False)
