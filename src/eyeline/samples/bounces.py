@@ -7,12 +7,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from eyeline.geometry.arrays import FloatArray
 from eyeline.motion.curve import Curve
 from eyeline.motion.track import Track
 from eyeline.samples.keyed import hermite, turning
 
+UP = (0.0, 1.0, 0.0)
 GRAVITY = 9.81  # metres a second squared
 CONTACT = 0.075  # seconds that a landing takes
 STRETCH = 1.13  # of the height, at the greatest speed
@@ -91,32 +93,33 @@ def fall(height: float) -> float:
     return math.sqrt(2 * height / GRAVITY)
 
 
-def travel(height: Curve, along: Curve, start: Sequence[float], end: Sequence[float]) -> Curve:
-    """The translation of a ball that goes from start to end (x, z), `along` being 0 there and 1 here."""
-    times = np.union1d(height.times, along.times)
-    times = np.union1d(times, (times[1:] + times[:-1]) / 2)
-    near = (times[1:] - times[:-1]).min() * 1e-3
-    y, (y_in, y_out) = height.at(times), slopes(height, times, near)
-    part, (part_in, part_out) = along.at(times), slopes(along, times, near)
-    way = np.array([end[0] - start[0], 0, end[1] - start[1]])
-    place = np.array([start[0], 0, start[1]]) + part[:, None] * way
-    up = np.array([0, 1, 0])
-    return hermite(
-        times, place + y[:, None] * up, part_in[:, None] * way + y_in[:, None] * up,
-        part_out[:, None] * way + y_out[:, None] * up,
-    )  # fmt: skip
+def carried(curve: Curve, start: npt.ArrayLike, way: npt.ArrayLike) -> Curve:
+    """A cubic's number over time as a place: `start` (3,) where it is 0, `way` (3,) farther where it is 1."""
+    values = curve.values[:, :, None] * np.asarray(way, dtype=np.float64)
+    values[:, 1] += np.asarray(start, dtype=np.float64)
+    return Curve(curve.times, values, "cubic")
 
 
-def slopes(curve: Curve, times: FloatArray, near: float) -> tuple[FloatArray, FloatArray]:
-    """(T,) how fast a curve arrives at times and leaves them."""
-    here = curve.at(times)
-    return (here - curve.at(times - near)) / near, (curve.at(times + near) - here) / near
+def tracks(bounces: Bounces, along: Curve, start: npt.ArrayLike, end: npt.ArrayLike) -> list[Track]:
+    """What moves the nodes ball, squash and spin from start to end (x, 0, z), `along` going from 0 to 1."""
+    begin = np.asarray(start, dtype=np.float64)
+    way = np.asarray(end, dtype=np.float64) - begin
+    length = math.sqrt(way @ way)
+    return [
+        Track("node", "ball", "translation", carried(along, begin, way)),
+        Track("node", "ball/squash", "translation", carried(bounces.height(), (0, 0, 0), UP)),
+        Track("node", "ball/squash", "scale", bounces.shape()),
+        rolling("ball/squash/spin", along, length / bounces.radius, np.cross(UP, way / length)),
+    ]
 
 
-def rolling(path: str, along: Curve, length: float, radius: float, axis: Sequence[float]) -> Track:
-    """A track that turns a ball about an axis as it rolls along its way, in steps of a small turn."""
-    turns = length / (2 * math.pi * radius)
-    count = 1 + math.ceil(6 * turns * float(np.abs(np.diff(along.at(along.times))).sum()))
+def rolling(path: str, along: Curve, angle: float, axis: npt.ArrayLike) -> Track:
+    """A track that turns about an axis, through an angle as `along` goes from 0 to 1: a key a radian."""
+    count = 2 + math.ceil(angle * float(np.abs(np.diff(along.at(along.times))).sum()))
     times = np.linspace(along.times[0], along.times[-1], count)
-    keys = list(zip(times.tolist(), (2 * math.pi * turns * along.at(times)).tolist(), strict=True))
-    return Track("node", path, "rotation", turning(axis, keys))
+    return Track(
+        "node",
+        path,
+        "rotation",
+        turning(axis, list(zip(times.tolist(), angle * along.at(times), strict=True))),
+    )

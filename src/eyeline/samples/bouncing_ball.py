@@ -7,8 +7,7 @@ import math
 import numpy as np
 
 from eyeline.motion import Clip
-from eyeline.motion.track import Track
-from eyeline.samples.bounces import Bounces, rolling, travel
+from eyeline.samples.bounces import Bounces, tracks
 from eyeline.samples.keyed import hermite
 from eyeline.samples.shapes import mesh_of
 from eyeline.samples.solids import ball as sphere_shape
@@ -25,7 +24,7 @@ NAVY = Material("navy", (0.02, 0.05, 0.16, 1.0), roughness=0.35)
 PANELS = 6
 RADIUS = 0.06  # metres
 
-START, END = (-0.78, 0.12), (0.34, 0.12)  # x, z
+START, END = (-0.78, 0.0, 0.12), (0.34, 0.0, 0.12)
 SECONDS = 4.0
 
 
@@ -43,7 +42,7 @@ def bouncing_ball() -> Scene:
 
 
 def ball_nodes() -> tuple[Node, ...]:
-    """Where it is, how it is squashed, how it is turned: a node for each, so that none disturbs another."""
+    """Where it is on the floor; how high and how squashed; how it is turned: none disturbs another."""
     return (Node("ball"), Node("squash", 0), Node("spin", 1, mesh=beach_ball(RADIUS)))
 
 
@@ -60,16 +59,10 @@ def beach_ball(radius: float) -> Mesh:
 def bounce() -> Clip:
     """Five bounces and a roll."""
     bounces = Bounces(RADIUS, 0.52, (0.36, 0.21, 0.11, 0.045))
-    height, stop = bounces.height(), bounces.landings[-1]
+    stop = bounces.landings[-1]
     speed = 0.36
     along = hermite(
         np.array([0.0, stop, SECONDS]), np.array([0.0, speed * stop, 1.0]),
         np.array([speed, speed, 0.0]), np.array([speed, speed, 0.0]),
     )  # fmt: skip
-    length = math.dist(START, END)
-    tracks = [
-        Track("node", "ball", "translation", travel(height, along, START, END)),
-        Track("node", "ball/squash", "scale", bounces.shape()),
-        rolling("ball/squash/spin", along, length, RADIUS, (0, 0, -1)),
-    ]
-    return Clip("bounce", tracks)
+    return Clip("bounce", tracks(bounces, along, START, END))

@@ -12,7 +12,7 @@ from eyeline.geometry import quaternion, transform
 from eyeline.motion import Clip
 from eyeline.motion.curve import Curve
 from eyeline.motion.track import Track
-from eyeline.samples.bounces import Bounces, rolling, travel
+from eyeline.samples.bounces import Bounces, carried, tracks
 from eyeline.samples.bouncing_ball import RADIUS, ball_nodes
 from eyeline.samples.desk_lamp import bends, lamp
 from eyeline.samples.keyed import Key, flowing, hermite, moves, swings
@@ -28,7 +28,7 @@ FRAME = 1 / 24  # seconds between the camera's keys
 
 # Places on the floor: x, z in metres
 LAMP, POT = (-0.30, -0.08), (0.40, -0.06)
-BALL_START, BALL_END = (-0.95, 0.50), (0.312, 0.073)
+BALL_START, BALL_END = (-0.95, 0.0, 0.50), (0.312, 0.0, 0.073)
 Y = (0.0, 1.0, 0.0)
 
 
@@ -70,22 +70,16 @@ def shot() -> Clip:
 
 
 def ball_way() -> tuple[Curve, list[Track]]:
-    """Where the ball's centre is, and its tracks: in from the left, a knock, and back a little."""
+    """Where the ball is on the floor, and its tracks: in from the left, a knock, and back a little."""
     bounces = Bounces(RADIUS, 0.44, (0.34, 0.19, 0.085))
     speed = 1 / HIT
     along = hermite(
         np.array([0.0, HIT, 3.2]), np.array([0.0, 1.0, 0.87]),
         np.array([speed, speed, 0.0]), np.array([speed, -0.62 * speed, 0.0]),
     )  # fmt: skip
-    place = travel(bounces.height(), along, BALL_START, BALL_END)
-    way = np.array([BALL_END[0] - BALL_START[0], 0, BALL_END[1] - BALL_START[1]])
-    length = math.sqrt(way @ way)
-    axis = np.cross(Y, way / length)
-    return place, [
-        Track("node", "ball", "translation", place),
-        Track("node", "ball/squash", "scale", bounces.shape()),
-        rolling("ball/squash/spin", along, length, RADIUS, axis.tolist()),
-    ]
+    return carried(along, BALL_START, np.subtract(BALL_END, BALL_START)), tracks(
+        bounces, along, BALL_START, BALL_END
+    )
 
 
 # --- the lamp ---------------------------------------------------------------------------------------------

@@ -111,7 +111,12 @@ def head() -> Mesh:
     shell = lathe(rounded(outside, 0.014, 6), 72)
     lip = lathe([outside[-1], (0.0788, 0.1495), (0.0770, 0.1495), inside[0]], 72)
     bowl = lathe(rounded(inside, 0.012, 6), 72)
-    ring = lathe(rounded([(0.0270, 0.050), (0.0295, 0.051), (0.0295, 0.056), (0.0270, 0.057)], 0.001, 3), 48)
+    ring = lathe(
+        rounded(
+            [(0.0270, 0.050), (0.0295, 0.051), (0.0295, 0.056), (0.0270, 0.057), (0.0270, 0.050)], 0.001, 3
+        ),
+        48,
+    )
     return mesh_of(
         {ENAMEL: joined(shell, lip), REFLECTOR: bowl, BRASS: joined(bolt(0.030, 0.005), ring)}, "head"
     )
