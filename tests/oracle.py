@@ -1,7 +1,7 @@
 """Slow and obviously right: what is seen at every pixel, by trying every face there.
 
-`seen` answers for snapped faces in whole numbers: a method must equal it bit for bit. `truth` answers for the scene
-itself, unsnapped and unclipped, and says at which pixels snapping cannot matter: there every method must agree.
+`seen` answers for snapped faces in whole numbers: a method must equal it bit for bit. `truth` answers for the
+scene itself, unsnapped and unclipped, and says where snapping cannot matter: there every method must agree.
 """
 
 from __future__ import annotations
@@ -75,7 +75,7 @@ class Truth:
 
 
 def truth(scene: Scene, camera: Camera, size: tuple[int, int], cull: str = "auto") -> Truth:
-    """Every face of a scene at every pixel, in homogeneous coordinates, so that nothing is clipped. [Olano97]"""
+    """Every face of a scene at every pixel, in homogeneous coordinates: nothing is clipped. [Olano97]"""
     width, height = size
     camera = camera.fitted(scene.bounds)
     clip_from_world = camera.clip_from_eye(width / height) @ camera.eye_from_world

@@ -1,6 +1,6 @@
 """Scenes whose answer is known: which node is seen at (x, y), without asking any method.
 
-The orthographic ones are drawn in pixels: x right, y down, z towards the eye, in a picture of WIDTH by HEIGHT.
+The orthographic ones are drawn in pixels: x right, y down, z towards the eye; pictures are WIDTH by HEIGHT.
 """
 
 from __future__ import annotations
@@ -234,7 +234,7 @@ def nothing() -> Known:
 
 
 def rays(x: Pixels, y: Pixels, camera: Camera) -> npt.NDArray[np.float64]:
-    """Directions (H, W, 3) in the world from a perspective eye through pixel coordinates, 1 long along the view."""
+    """Directions (H, W, 3) in the world through pixel coordinates, 1 long along the view."""
     assert camera.fov is not None
     t = math.tan(camera.fov / 2)
     across, up = (2 * x / WIDTH - 1) * t * WIDTH / HEIGHT, (1 - 2 * y / HEIGHT) * t
@@ -243,7 +243,7 @@ def rays(x: Pixels, y: Pixels, camera: Camera) -> npt.NDArray[np.float64]:
 
 
 def plain() -> Known:
-    """A square plain of 100 km around the eye, from the ground below it to the horizon; it crosses the near plane."""
+    """A plain of 100 km around the eye, from below it to the horizon; it crosses the near plane."""
     far = 5e4
     ground = Mesh([(-far, 0, far), (far, 0, far), (far, 0, -far), (-far, 0, -far)], [(0, 1, 2), (0, 2, 3)])
     camera = Camera.look_at((0, 1.7, 0), (0.3, 1.2, -4), fov=math.radians(50), near=0.1)
@@ -258,7 +258,7 @@ def plain() -> Known:
 
 
 def room() -> Known:
-    """The inside of a closed box from a place within: the six walls are six nodes, and no background is seen."""
+    """A closed box from inside: the six walls are six nodes, and no background is seen."""
     half = np.array([2.0, 1.25, 3.0])
     walls = []
     for axis in range(3):

@@ -1,4 +1,4 @@
-"""Faces made by chance, but of the kinds that go wrong: slivers, ties, shared edges, the near plane, the guard band."""
+"""Faces made by chance, of the kinds that go wrong: slivers, ties, shared edges, near plane, guard band."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def snapped(kind: str, seed: int, size: tuple[int, int], count: int = 80) -> Pro
 
 
 def grid(random: np.random.Generator, size: tuple[int, int], cells: int = 9) -> Projected:
-    """A net of faces that share their edges, its inner corners shaken and some on pixels' centres, both windings."""
+    """A net of faces that share their edges, its inner corners shaken, some on pixels' centres."""
     column, row = np.meshgrid(np.arange(cells + 1), np.arange(cells + 1))
     spread = np.stack([column, row], axis=-1).reshape(-1, 2) / cells * (np.array(size) + 4) * 256 - 512
     inner = ((column % cells > 0) & (row % cells > 0)).reshape(-1, 1)

@@ -1,4 +1,4 @@
-"""Every method that answers alone: on scenes whose answer is known, and equal to the oracle on what chance makes."""
+"""Every method that answers alone: right where the answer is known, equal to the oracle elsewhere."""
 
 from __future__ import annotations
 
@@ -188,7 +188,7 @@ def test_a_sheet_of_many_faces_through_the_near_plane_has_no_gap(name: str, seed
 @by_chance
 @given(seed=seeds)
 def test_every_pixel_of_a_net_has_one_owner(name: str, seed: int) -> None:
-    """Each face alone: together they own every pixel of the net, whose border lies outside the picture, once."""
+    """Each face alone: together they own every pixel once; the border of the net lies outside the picture."""
     projected = soups.snapped("grid", seed, SIZE)
     p = projected.xy[projected.faces].astype(np.int64)
     across, down = p[:, 1:, 0] - p[:, :1, 0], p[:, 1:, 1] - p[:, :1, 1]
@@ -198,3 +198,18 @@ def test_every_pixel_of_a_net_has_one_owner(name: str, seed: int) -> None:
     for face in range(len(projected.faces)):
         owners += METHODS[name](projected.only(np.arange(len(projected.faces)) == face)).face >= 0
     assert np.argwhere(owners != 1).tolist() == []
+
+
+# --- written twice ----------------------------------------------------------------------------------------
+
+
+@every_method
+@by_chance
+@given(kind=st.sampled_from(soups.SNAPPED), seed=seeds)
+def test_steps_decide_as_the_kernel_does(name: str, kind: str, seed: int) -> None:
+    projected = soups.snapped(kind, seed, (31, 19), count=25)
+    answer = METHODS[name](projected)
+    *_, last = METHODS[name].steps(projected)
+    assert np.array_equal(last.data["face"], answer.face)
+    assert np.array_equal(last.data["depth"], answer.depth)
+    assert dict(last.work) == dict(answer.work)

@@ -1,8 +1,9 @@
 """The picture's grid of 1/256 pixel: exact edges, who owns a pixel, and the one formula for depth.
 
-Snapped coordinates are whole numbers, x right, y down; pixel p is centred at 256 p + 128. Every decision about
-coverage is the sign of a whole number below 2**53, so it is the same in int64 and in float64, on every machine.
-Whoever fills faces uses these functions: two methods that see the same face then see the same depth, bit for bit.
+Snapped coordinates are whole numbers, x right, y down; pixel p is centred at 256 p + 128. Every decision
+about coverage is the sign of a whole number below 2**53, so it is the same in int64 and in float64, on every
+machine. Whoever fills faces uses these functions: two methods that see the same face then see the same depth,
+bit for bit.
 """
 
 from __future__ import annotations
@@ -26,19 +27,20 @@ def signed_area(x0, y0, x1, y1, x2, y2):
 
 @helper
 def edge_bias(a, b):
-    """0 for a top or left edge, -1 for another: a pixel is inside where a x + b y + c + bias >= 0 for all edges.
+    """0 for a top or left edge, -1 for another: a pixel is inside where all a x + b y + c + bias >= 0.
 
-    (a, b) = (y0 - y1, x1 - x0) of an edge that leads clockwise around its face. A centre on an edge of two faces
-    is owned by the one to whose left or top the edge is.
+    (a, b) = (y0 - y1, x1 - x0) of an edge that leads clockwise around its face. A centre on an edge of two
+    faces is owned by the one to whose left or top the edge is.
     """
     return np.int32((a > 0) | ((a == 0) & (b > 0))) - np.int32(1)
 
 
 @helper
 def depth_plane(x0, y0, z0, x1, y1, z1, x2, y2, z2):
-    """(a, b, c) of the plane through three snapped corners that turn clockwise; `depth_at` reads it at a pixel.
+    """(a, b, c) of the plane through three snapped corners that turn clockwise, for `depth_at`.
 
-    It starts from the topmost corner, of those the leftmost: a face has one plane, wherever its corners begin.
+    It starts from the topmost corner, of those the leftmost: a face has one plane, wherever its corners
+    begin.
     """
     second = (y1 < y0) | ((y1 == y0) & (x1 < x0))
     x, y, z = (x1 if second else x0), (y1 if second else y0), (z1 if second else z0)

@@ -5,9 +5,12 @@ from __future__ import annotations
 import math
 import weakref
 from collections import deque
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
+
+Number = TypeVar("Number", bound=np.generic)
 
 GRAIN = 1 << 18  # bytes: sizes are rounded up to this, so that nearly equal ones serve each other
 LEAST, MOST = 1 << 18, 1 << 26  # bytes: smaller and larger arrays are made anew
@@ -15,15 +18,15 @@ LEAST, MOST = 1 << 18, 1 << 26  # bytes: smaller and larger arrays are made anew
 _shelf: deque[npt.NDArray[np.uint8]] = deque(maxlen=12)
 
 
-def recycled(shape: tuple[int, ...], dtype: npt.DTypeLike) -> npt.NDArray[np.generic]:
-    """An array like `np.empty`'s, not initialised; its memory serves again when the last view of it is gone."""
+def recycled(shape: tuple[int, ...], dtype: type[Number]) -> npt.NDArray[Number]:
+    """An array like `np.empty`'s; its memory serves again when the last view of it is gone."""
     count = math.prod(shape)
     size = count * np.dtype(dtype).itemsize
     if not LEAST <= size <= MOST:
         return np.empty(shape, dtype)
     memory = taken(-(-size // GRAIN) * GRAIN)
     # With a memoryview between them NumPy does not see `memory` as the owner: every view keeps `lent` alive
-    lent = np.frombuffer(memoryview(memory), dtype, count)
+    lent = np.frombuffer(memoryview(memory.data), dtype, count)
     weakref.finalize(lent, _shelf.append, memory).atexit = False
     return lent.reshape(shape)
 

@@ -38,6 +38,16 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
     return total
 
 
+def inverse(matrix: FloatArray) -> FloatArray:
+    """The affine matrix (4, 4) that undoes this one, without LAPACK, which rounds as the machine likes."""
+    x, y, z = matrix[:3, :3].T
+    rows = np.stack([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
+    undone = identity()
+    undone[:3, :3] = rows / product(rows[:1], matrix[:3, :1])
+    undone[:3, 3:] = -product(undone[:3, :3], matrix[:3, 3:])
+    return undone
+
+
 def decompose(matrix: npt.ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
     """(translation, rotation, scale) of matrices without shear; a mirror becomes a negative x scale."""
     m = np.asarray(matrix, dtype=np.float64)

@@ -1,7 +1,7 @@
 """Faces that cross the near plane or the guard band, cut into pieces that do not.
 
-A cut point follows from its edge alone, taken from its lower to its higher end: two faces that share the edge are
-cut at the same point, and no gap opens between their pieces. [Sutherland74]
+A cut point follows from its edge alone, taken from its lower to its higher end: two faces that share the edge
+are cut at the same point, and no gap opens between their pieces. [Sutherland74]
 """
 
 from __future__ import annotations
@@ -100,7 +100,8 @@ def crossing(a: FloatArray, b: FloatArray, reach_a: FloatArray, reach_b: FloatAr
     low, high = np.where(swap[:, None], b, a), np.where(swap[:, None], a, b)
     reach_low, reach_high = np.where(swap, reach_b, reach_a), np.where(swap, reach_a, reach_b)
     part = reach_low / (reach_low - reach_high)
-    return low + (high - low) * part[:, None]
+    cut: FloatArray = low + (high - low) * part[:, None]
+    return cut
 
 
 def before(a: FloatArray, b: FloatArray) -> BoolArray:

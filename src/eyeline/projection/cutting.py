@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from eyeline.geometry import transform
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray, read_only
 from eyeline.geometry.fixedpoint import UNITS
 from eyeline.jit import kernel
@@ -26,7 +27,7 @@ def with_pieces(projected: Projected, unplaced: list[int]) -> Projected:
         if missing:
             first, end = int(projected.first_faces[number]), int(projected.first_faces[number + 1])
             crossing = withdraw(projected, first, end, sides)
-            matrix = projected.clip_from_world @ surface.world_from_mesh
+            matrix = transform.product(projected.clip_from_world, surface.world_from_mesh)
             for at in range(0, len(crossing), BATCH):
                 faces = crossing[at : at + BATCH]
                 points = surface.mesh.points[projected.faces[faces] - first_vertex]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.errors import GeometryError, OptionError
+from eyeline.geometry import transform
 from eyeline.geometry.arrays import IntArray
 from eyeline.geometry.fixedpoint import LARGEST_SIDE
 from eyeline.geometry.memory import recycled
@@ -26,6 +27,8 @@ def project(scene: Scene, camera: Camera, size: tuple[int, int], cull: str = "au
     checked_cull(cull)
     width, height = checked_size(size)
     surfaces = scene.surfaces
+    if not np.isfinite(camera.world_from_eye).all():
+        raise GeometryError(f"camera {camera.name!r} stands at a place that is not finite")
     if camera.near is None or (camera.far is None and camera.fov is None):
         camera = camera.fitted(scene.bounds)
     vertex_counts = [len(surface.mesh.points) for surface in surfaces]
@@ -54,11 +57,11 @@ def place_surfaces(projected: Projected) -> list[int]:
     for surface in projected.surfaces:
         end = begin + len(surface.mesh.points)
         xy, depth = projected.xy[begin:end], projected.depth[begin:end]
-        clip_from_mesh = projected.clip_from_world @ surface.world_from_mesh
-        if not np.isfinite(clip_from_mesh).all():
+        if not np.isfinite(surface.world_from_mesh).all():
             raise GeometryError(
-                f"mesh {surface.mesh.name!r} of node {surface.node} is placed by a matrix that is not finite"
+                f"mesh {surface.mesh.name!r} of node {surface.node} stands at a place that is not finite"
             )
+        clip_from_mesh = transform.product(projected.clip_from_world, surface.world_from_mesh)
         if surface.visible:
             unplaced.append(
                 place(surface.mesh.points, clip_from_mesh, (projected.width, projected.height), xy, depth)
@@ -71,7 +74,7 @@ def place_surfaces(projected: Projected) -> list[int]:
 
 
 def shared_faces(surfaces: tuple[Surface, ...], vertex_counts: list[int]) -> IntArray:
-    """(F, 3) the faces of all surfaces over their vertices in one row; those of a single surface are not copied."""
+    """(F, 3) the faces of all surfaces over one row of vertices; those of a single surface, as they are."""
     if len(surfaces) == 1:
         return surfaces[0].mesh.faces
     faces = np.empty((sum(len(surface.mesh.faces) for surface in surfaces), 3), dtype=np.int32)

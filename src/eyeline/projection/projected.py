@@ -7,6 +7,7 @@ from functools import cached_property
 
 import numpy as np
 
+from eyeline.geometry import transform
 from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from eyeline.scene.camera import Camera
 from eyeline.scene.surface import Surface
@@ -37,7 +38,8 @@ class Projected:
     @cached_property
     def clip_from_world(self) -> FloatArray:
         """(4, 4) float64."""
-        return self.camera.clip_from_eye(self.width / self.height) @ self.camera.eye_from_world
+        clip_from_eye = self.camera.clip_from_eye(self.width / self.height)
+        return transform.product(clip_from_eye, self.camera.eye_from_world)
 
     @cached_property
     def source(self) -> IntArray:

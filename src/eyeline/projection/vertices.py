@@ -16,7 +16,8 @@ def place(
 ) -> int:
     """Fill xy (V, 2) and depth (V,) from points (V, 3); how many could not be placed.
 
-    One behind the near plane gets depth inf and xy 0; one beyond the guard band gets depth -inf, and xy at its border.
+    One behind the near plane gets depth inf and xy 0; one beyond the guard band gets depth -inf, and xy at
+    the band's border.
     """
     parts = threads() if len(points) > SMALL else 1
     matrix = tuple(clip_from_mesh.astype(np.float32).reshape(-1))

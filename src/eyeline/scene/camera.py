@@ -43,7 +43,9 @@ class Camera:
         if self.height is not None and not 0 < self.height < math.inf:
             raise GeometryError(f"height is {self.height} metres; more than 0 is needed")
         if self.near is not None and not (0 if self.height is None else -math.inf) < self.near < math.inf:
-            raise GeometryError(f"near is {self.near} metres; a finite distance in front of the eye is needed")
+            raise GeometryError(
+                f"near is {self.near} metres; a finite distance in front of the eye is needed"
+            )
         if self.far is not None and not (self.near or 0) < self.far:
             raise GeometryError(f"far is {self.far} metres; more than near, {self.near}, is needed")
         if self.world_from_eye is None:
@@ -97,7 +99,7 @@ class Camera:
     @property
     def eye_from_world(self) -> FloatArray:
         """(4, 4)."""
-        return np.linalg.inv(self.world_from_eye)
+        return transform.inverse(self.world_from_eye)
 
     def moved(self, world_from_eye: FloatArray) -> Camera:
         """This lens elsewhere."""
@@ -111,7 +113,11 @@ class Camera:
         else:
             distances = -(bounds.moved(self.eye_from_world).corners[:, 2])
             margin = NEAR_PART * (bounds.diagonal or 1.0)
-            near = near if near is not None else float(distances.min(initial=0.0 if bounds.is_empty else math.inf) - margin)
+            near = (
+                near
+                if near is not None
+                else float(distances.min(initial=0.0 if bounds.is_empty else math.inf) - margin)
+            )
             far = far if far is not None else float(max(distances.max(initial=-math.inf), near) + margin)
         return replace(self, near=near, far=far)
 
@@ -126,12 +132,17 @@ class Camera:
         if self.fov is not None:
             t = 1 / math.tan(self.fov / 2)
             # Depth is near (far - distance) / (distance (far - near)), near / distance without a far plane.
-            a, b = (0.0, near) if far is None or math.isinf(far) else (near / (far - near), near * far / (far - near))
+            a, b = (
+                (0.0, near)
+                if far is None or math.isinf(far)
+                else (near / (far - near), near * far / (far - near))
+            )
             return np.array([[t / aspect, 0, 0, 0], [0, t, 0, 0], [0, 0, a, b], [0, 0, -1, 0]], float)
         assert self.height is not None and far is not None
         t = 2 / self.height
         return np.array(
-            [[t / aspect, 0, 0, 0], [0, t, 0, 0], [0, 0, 1 / (far - near), far / (far - near)], [0, 0, 0, 1]], float
+            [[t / aspect, 0, 0, 0], [0, t, 0, 0], [0, 0, 1 / (far - near), far / (far - near)], [0, 0, 0, 1]],
+            float,
         )
 
 

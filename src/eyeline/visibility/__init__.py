@@ -6,10 +6,11 @@ from eyeline.errors import OptionError
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import suggestion
 from eyeline.visibility.area import Area
+from eyeline.visibility.backface import BackFace
 from eyeline.visibility.method import Method, Step, Visible
 from eyeline.visibility.zbuffer import ZBuffer
 
-METHODS: dict[str, Method] = {method.name: method for method in (ZBuffer(),)}
+METHODS: dict[str, Method] = {method.name: method for method in (ZBuffer(), BackFace())}
 
 __all__ = ["METHODS", "Area", "Method", "Step", "Visible", "method_named", "visible_of"]
 

@@ -27,7 +27,7 @@ class Area:
 
 
 def area_of(seen: Visible, node: str | int) -> Area:
-    """The area of a node, and of what hangs from it: the method answers once more, with nothing else there."""
+    """The area of a node and of what hangs from it: the method answers once more, with nothing else there."""
     projected = seen.projected
     wanted = subtree(seen, node)
     of_surface = np.array([wanted[surface.node] for surface in projected.surfaces], dtype=bool)
@@ -50,7 +50,8 @@ def subtree(seen: Visible, node: str | int) -> BoolArray:
             raise SceneError(
                 f"there is no surface of node {node!r}; without a scene, give one of {sorted(nodes)}"
             )
-        return np.arange(max(nodes) + 1) == node
+        only: BoolArray = np.arange(max(nodes) + 1) == node
+        return only
     root = seen.scene.find(node)
     wanted = np.zeros(len(seen.scene.nodes), dtype=bool)
     for index, one in enumerate(seen.scene.nodes):

@@ -1,7 +1,7 @@
 """Bins become a picture, band by band: the depth buffer's second half.
 
-A band's keys stay in the cache while fragments and records fall on them; the greater key wins, so neither the order
-of the faces nor the number of threads can matter.
+A band's keys stay in the cache while fragments and records fall on them; the greater key wins, so neither the
+order of the faces nor the number of threads can matter.
 """
 
 from __future__ import annotations
@@ -10,15 +10,17 @@ import numpy as np
 
 from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, depth_at, edge_bias
 from eyeline.jit import helper, kernel
-from eyeline.visibility.binning import make_key
-from eyeline.visibility.scratch import BAND_BITS, BLOCK
+from eyeline.visibility.binning import BAND_BITS, BLOCK, make_key
 
 LANES = 16  # pixels of a row that are drawn at once
 
 
 @kernel
 def draw_bands(part, parts, size, scratch, depth_bits, face):
-    """Fill depth_bits (depth as int32) and face, both flat, in bands part, part + parts, ... The depth tests it took."""
+    """Fill depth_bits (depth as int32) and face, both flat, in bands part, part + parts, ...
+
+    Returns how many depth tests that took.
+    """
     ends, previous, pixels, keys, corners, planes, sources = scratch
     width, height = size
     buffer = np.empty((width << BAND_BITS) + 4 * LANES, np.int64)
@@ -38,7 +40,8 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
                         o = np.uint32(((own_pixels[j] >> 16) - row0) * width + (own_pixels[j] & 65535))
                         buffer[o] = max(buffer[o], own_keys[j])
                     else:
-                        draw_record(
+                        tests -= 1
+                        tests += draw_record(
                             own_keys[j], own_corners, own_planes, own_sources, buffer, row0, row1, width
                         )
                 tests += end - begin
@@ -58,7 +61,7 @@ def finish(buffer, depth_bits, face):
 
 @helper
 def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
-    """Draw a record's face on rows row0..row1, which are in the buffer."""
+    """Draw a record's face on rows row0..row1, which are in the buffer; how many pixels it covers there."""
     x0, y0 = np.int64(corners[6 * record]), np.int64(corners[6 * record + 1])
     x1, y1 = np.int64(corners[6 * record + 2]), np.int64(corners[6 * record + 3])
     x2, y2 = np.int64(corners[6 * record + 4]), np.int64(corners[6 * record + 5])
@@ -73,7 +76,7 @@ def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
     e1 = a1 * (cx - x2) + b1 * (cy - y2) + edge_bias(a1, b1)
     e2 = a2 * (cx - x0) + b2 * (cy - y0) + edge_bias(a2, b2)
     a0, b0, a1, b1, a2, b2 = a0 * 256, b0 * 256, a1 * 256, b1 * 256, a2 * 256, b2 * 256
-    source = sources[record]
+    source, pixels = sources[record], 0
     if narrow:
         f0, f1, f2 = np.int32(e0), np.int32(e1), np.int32(e2)
         s0, s1, s2 = np.int32(a0), np.int32(a1), np.int32(a2)
@@ -92,6 +95,7 @@ def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
                 ) & (np.int32(i) <= last)
                 key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
                 row[i] = max(row[i], key if inside else np.int64(0))
+                pixels += inside
             f0, f1, f2 = np.int32(f0 + b0), np.int32(f1 + b1), np.int32(f2 + b2)
     else:
         s0, s1, s2 = np.float64(a0), np.float64(a1), np.float64(a2)
@@ -108,11 +112,13 @@ def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
             x = left + np.int64(low)
             fx = np.float64(x)
             last = np.int32(high - low)
+            pixels += np.int64(last) + 1
             at = (y - row0) * width + x
             row = buffer[at : at + ((np.int64(last) + 16) & -16)]
             for i in range(row.shape[0]):
                 key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
                 row[i] = max(row[i], key if np.int32(i) <= last else np.int64(0))
+    return pixels
 
 
 @helper

@@ -1,7 +1,8 @@
 """Faces become finished fragments and records, sorted into bands of rows: the depth buffer's first half.
 
-Faces go through in chunks whose columns stay in the cache: what cannot be seen is dropped, the rest is set up in
-vector instructions. A face within 4x4 pixels becomes its fragments at once; a larger one becomes a record, drawn later.
+Faces go through in chunks whose columns stay in the cache: what cannot be seen is dropped, the rest is set up
+in vector instructions. A face within 4x4 pixels becomes its fragments at once; a larger one becomes a record,
+drawn later.
 """
 
 from __future__ import annotations
@@ -10,8 +11,9 @@ import numpy as np
 
 from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, depth_at, depth_plane, edge_bias
 from eyeline.jit import helper, kernel, trailing_zeros
-from eyeline.visibility.scratch import BAND_BITS, BLOCK
 
+BLOCK = 512  # a bin is a chain of blocks of so many entries
+BAND_BITS = 5  # a band is 32 rows: its keys, 1920 wide, are 480 kB and stay in the second cache
 CHUNK = 4096  # faces handled together
 BAND_SHIFT = 16 + BAND_BITS  # (y << 16 | x) >> BAND_SHIFT is a pixel's band
 RECORD = -1  # in the place of a pixel: this entry of a bin is a record
@@ -29,8 +31,7 @@ def bin_faces(part, parts, faces, xy, depth, sides, uncut, pieces, size, scratch
     """Bin chunks part, part + parts, ... of the faces; xy: packed y << 32 | x.
 
     uncut: how many faces are; pieces: which of them each of the other faces is cut from.
-    counts: (8,) int64 of this part: blocks and records needed, then faces dropped by side, between pixel
-    centres, outside the picture, then fragments.
+    counts: int64 of this part: blocks and records needed, faces turned away, faces beside pixels.
     """
     ends, previous = scratch.ends[part], scratch.previous[part]
     pixels, keys = scratch.pixels[part], scratch.keys[part]
@@ -47,7 +48,7 @@ def bin_faces(part, parts, faces, xy, depth, sides, uncut, pieces, size, scratch
         own = faces[3 * first : 3 * end]
         m = keep(own, xy, sides if sides.shape[0] == 1 else sides[first:end], live, counts)
         gather(m, own, xy, depth, live, at, z)
-        set_up(m, at, z, size[0], size[1], cover, place, plane)
+        counts[3] += set_up(m, at, z, size[0], size[1], cover, place, plane)
         emit(
             m, first, live, at, cover, place, plane, uncut, pieces,
             ends, previous, pixels, keys, corners, planes, sources, counts,
@@ -100,12 +101,12 @@ def gather(m, faces, xy, depth, live, at, z):
 
 @helper
 def set_up(m, at, z, width, height, cover, place, plane):
-    """For every live face its first pixel, its depth plane, and which of 4x4 pixels from there it covers.
+    """For every live face its first pixel, its depth plane, and its cover; how many lie beside all pixels.
 
-    cover: a mask of 16 pixels, or for a face that is larger -1 - (rows - 1); 0 covers nothing. int32 is exact for
-    faces within 4x4 pixels; for larger ones it overflows, and the mask is not used.
+    cover: which of 4x4 pixels, a bit each; minus the number of rows for a face that is larger. int32 is exact
+    for faces within 4x4 pixels; for larger ones it overflows, and the bits are not used.
     """
-    one, eight = np.int32(1), np.int32(8)
+    one, eight, beside = np.int32(1), np.int32(8), 0
     for j in range(m):
         x0, y0, x1 = at[j], at[CHUNK + j], at[2 * CHUNK + j]
         y1, x2, y2 = at[3 * CHUNK + j], at[4 * CHUNK + j], at[5 * CHUNK + j]
@@ -138,11 +139,14 @@ def set_up(m, at, z, width, height, cover, place, plane):
             e0, e1, e2 = np.int32(e0 + b0), np.int32(e1 + b1), np.int32(e2 + b2)
         columns = np.int32(np.int32(0x1111) * np.int32(15 >> (3 - min(w, np.int32(3)))))
         bits &= columns & np.int32(0xFFFF >> (12 - 4 * min(h, np.int32(3))))
-        cover[j] = (bits if small else np.int32(-1 - h)) if (w >= 0) & (h >= 0) else np.int32(0)
+        within = (w >= 0) & (h >= 0)
+        beside += not within
+        cover[j] = (bits if small else np.int32(-1 - h)) if within else np.int32(0)
         place[j] = np.int32(top << np.int32(16)) | left
         plane[j], plane[CHUNK + j], plane[2 * CHUNK + j] = depth_plane(
             x0, y0, z[j], x1, y1, z[CHUNK + j], x2, y2, z[2 * CHUNK + j]
         )
+    return beside
 
 
 @helper
@@ -171,7 +175,7 @@ def emit(
     sources,
     counts,
 ):
-    """Put small faces' fragments into the bins; of a larger one a record, and an entry in each band it meets."""
+    """Put small faces' fragments into the bins; of a larger one a record, and an entry for each band."""
     blocks, records = counts[0], counts[1]
     for j in range(m):
         t = first + live[j]

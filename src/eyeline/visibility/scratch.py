@@ -1,7 +1,7 @@
 """The depth buffer's working memory: bins of fragments and records, kept from call to call.
 
-Memory that is touched for the first time costs more than the work done in it. Whoever calls takes a Scratch from
-the shelf and puts it back, so two callers at once never share one.
+Memory that is touched for the first time costs more than the work done in it. Whoever calls takes a Scratch
+from the shelf and puts it back, so two callers at once never share one.
 """
 
 from __future__ import annotations
@@ -12,10 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray, IntArray
+from eyeline.visibility.binning import BLOCK
 
-BLOCK_BITS = 9
-BLOCK = 1 << BLOCK_BITS  # a bin is a chain of blocks of so many entries
-BAND_BITS = 4  # a band is 16 rows: its keys, 1920 wide, are 240 kB and stay in the second cache
 PADDING = 16  # int64: no two threads write one cache line
 
 _shelf: deque[Scratch] = deque(maxlen=2)
