@@ -15,6 +15,7 @@ from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.scene import Scene
 from eyeline.shading import transparency
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.cutout import see
 from eyeline.shading.encoding import srgb_from_linear
 from eyeline.shading.frame import Frame, Strip
@@ -23,7 +24,6 @@ from eyeline.shading.lanes import BLUE as BLUE_ROW
 from eyeline.shading.lanes import GREEN as GREEN_ROW
 from eyeline.shading.lanes import RED as RED_ROW
 from eyeline.shading.look import Look
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.surface_points import SurfacePoints
 from eyeline.shading.transparency import drawn_through, layers, stacked
 from eyeline.visibility import METHODS

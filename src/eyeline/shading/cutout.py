@@ -16,10 +16,10 @@ from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
 from eyeline.shading.alpha import cutoffs_of, faces_of, has
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Frame
 from eyeline.shading.lanes import COVER
 from eyeline.shading.look import Look
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.surface_points import GRID, SurfacePoints
 from eyeline.visibility.fragments import Fragments, fragments
 from eyeline.visibility.method import Method, Visible

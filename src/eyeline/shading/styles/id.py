@@ -14,8 +14,9 @@ from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.styles.plain import BLACK, before, exact
 
 GOLDEN = (5**0.5 - 1) / 2  # of a full turn: whatever the count, hues spread evenly
-FIRST_HUE = 0.08
-LIGHTNESS = (0.72, 0.60, 0.83)  # taken in turn, so that close hues differ in lightness
+FIRST_HUE, FIRST_LIGHTNESS = 0.08, 0.55
+PLASTIC = 0.5698402909980533  # the like for lightness: one over the square of the plastic number. [Roberts18]
+DARKEST, LIGHTEST = 0.58, 0.85
 CHROMA = 0.13
 
 
@@ -51,7 +52,7 @@ def nodes_of_points(face: IntArray, projected: Projected) -> IntArray:
 def id_colours(numbers: IntArray) -> FloatArray:
     """(K, 4) float32 linear, opaque: the colour of each number."""
     turn = 2 * np.pi * ((FIRST_HUE + numbers * GOLDEN) % 1.0)
-    lightness = np.array(LIGHTNESS)[numbers % len(LIGHTNESS)]
+    lightness = DARKEST + (LIGHTEST - DARKEST) * ((FIRST_LIGHTNESS + numbers * PLASTIC) % 1.0)
     return exact(srgb_from_linear(linear_from_oklab(lightness, CHROMA * np.cos(turn), CHROMA * np.sin(turn))))
 
 

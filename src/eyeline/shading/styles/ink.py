@@ -14,9 +14,9 @@ import numpy as np
 from eyeline.geometry.arrays import FloatArray
 from eyeline.jit import helper, kernel
 from eyeline.scene.material import Colour
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Strip
 from eyeline.shading.lanes import GX, GY, GZ, NX, NY, NZ, X, Y, Z
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.resolve import Layers
 from eyeline.shading.styles.id import nodes_of_points
 

@@ -8,15 +8,15 @@ from typing import Literal
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.lanes import NX, NZ
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.styles.plain import BLACK, before, exact
 
 
 @dataclass(frozen=True)
 class Normal:
-    """Unit normals, -1..1 as 0..255, on the side the eye sees, with normal maps.
+    """Unit normals on the side the eye sees, normal maps and all: -1 is 1, 0 is 128, 1 is 255.
 
     space: "view" has x to the right, y up, z to the eye, so what faces the camera is (128, 128, 255);
     "world" has the axes of the scene.
@@ -33,6 +33,6 @@ class Normal:
 
         def colour_of(strip: Strip) -> FloatArray:
             normals = attributes_of(frame, strip.points)[NX : NZ + 1, : len(strip.points)].T @ axes
-            return exact(normals / 2 + 0.5)
+            return exact((128 + 127 * normals) / 255)
 
         return before(frame, BLACK).drawn(colour_of)

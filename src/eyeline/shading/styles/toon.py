@@ -8,6 +8,7 @@ import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.shading.alpha import faces_of, has
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.ground import shaded_backdrop
 from eyeline.shading.lanes import (
@@ -26,7 +27,6 @@ from eyeline.shading.lanes import (
     Z,
 )
 from eyeline.shading.light_table import AT, COLOR, NEARNESS
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.resolve import Layers
 from eyeline.shading.shadow import arrive
 from eyeline.shading.stage import Stage, stage_of

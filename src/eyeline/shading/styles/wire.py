@@ -10,11 +10,10 @@ import numpy as np
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.jit import kernel
 from eyeline.scene.material import Colour
-from eyeline.shading.attributes import surface_of
+from eyeline.shading.attributes import attributes_of, surface_of
 from eyeline.shading.barycentric import corners_of, edges_of, shares_at
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.lanes import NX, NY, NZ, VX, VY, VZ
-from eyeline.shading.point_shading import attributes_of
 
 
 @dataclass(frozen=True)

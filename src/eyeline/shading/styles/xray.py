@@ -8,9 +8,9 @@ import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.scene.material import Colour
+from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.lanes import NX, NY, NZ, VX, VY, VZ
-from eyeline.shading.point_shading import attributes_of
 from eyeline.shading.resolve import Layers
 from eyeline.shading.surface_points import SurfacePoints
 from eyeline.shading.transparency import layers, stacked
