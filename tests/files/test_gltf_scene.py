@@ -246,3 +246,19 @@ def test_notes_are_at_most_a_hundred_and_one(tmp_path: Path) -> None:
     notes = load(builder.write(tmp_path)).notes
     assert len(notes) == 101
     assert notes[-1] == "and 50 more notes like these"
+
+
+def test_trees_of_joints_bring_the_trees_of_their_own_joints(tmp_path: Path) -> None:
+    builder = skinned()
+    builder.json["nodes"][2] |= {"mesh": 0, "skin": 1}
+    builder.add("nodes", name="far")
+    builder.add("skins", joints=[3, 3])
+    builder.json["scenes"] = [{"nodes": [0]}]
+    assert load(builder.write(tmp_path)).paths == ("node 0", "hip", "hip/knee", "far")
+
+
+def test_a_name_of_any_length_leaves_sentences_short(tmp_path: Path) -> None:
+    builder = Builder()
+    builder.node(mesh=builder.square(mode=0), name="n" * 5000)
+    builder.json["meshes"][0]["name"] = "m" * 5000
+    assert max(map(len, load(builder.write(tmp_path)).notes)) < 200

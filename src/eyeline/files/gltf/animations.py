@@ -52,13 +52,14 @@ class Animations:
                 key = (track.kind, track.name, track.property)
                 if key in tracks:
                     self._note(
-                        name, f"moves {track.property} of {track.name!r} twice; the first of both counts"
+                        name,
+                        f"moves {track.property} of {spoken(track.name)} twice; the first of both counts",
                     )
                 tracks.setdefault(key, track)
         return Clip(name, tracks.values())
 
     def _note(self, clip_name: str, what: str) -> None:
-        self.document.notes.add(f"clip {clip_name!r} {what}")
+        self.document.notes.add(f"clip {spoken(clip_name)} {what}")
 
     def _moved(self, target: Part, clip_name: str) -> Moved | None:
         """What a channel moves; None for what changes no picture, which is reported."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from eyeline.files.gltf.accessors import Numbers
 from eyeline.files.gltf.primitives import Attributes, Primitive
 from eyeline.geometry import normals
 from eyeline.geometry.arrays import FloatArray, IntArray
@@ -46,13 +47,17 @@ def blocks_of(primitives: Sequence[Primitive], slots: Mapping[int | None, int]) 
         shared.setdefault(id(one.vertices), []).append(one)
     blocks = []
     for group in shared.values():
-        materials = np.repeat([slots[one.material] for one in group], [len(one.faces) for one in group])
-        faces = np.concatenate([one.faces for one in group])
+        used = np.array([slots[one.material] for one in group], np.int32)
+        materials = np.repeat(used, [len(one.faces) for one in group])
+        faces = together([one.faces for one in group])
         vertices = group[0].vertices
-        blocks.append(
-            compact(Block(vertices.attributes, vertices.targets, faces, materials.astype(np.int32)))
-        )
+        blocks.append(compact(Block(vertices.attributes, vertices.targets, faces, materials)))
     return blocks
+
+
+def together(arrays: Sequence[Numbers]) -> Numbers:
+    """Arrays one behind the other; one alone as it is."""
+    return arrays[0] if len(arrays) == 1 else np.concatenate(arrays)
 
 
 def compact(block: Block) -> Block:

@@ -54,8 +54,9 @@ def completed(blocks: Sequence[Block], materials: Sequence[Material]) -> list[Bl
 
 def normal_uv_set(block: Block, materials: Sequence[Material]) -> int | None:
     """The UV set along which a block needs tangents; None if no normal texture lies on it."""
-    for slot in np.unique(block.materials):
-        texture = materials[int(slot)].normal_texture
+    bumpy = [slot for slot, material in enumerate(materials) if material.normal_texture is not None]
+    for slot in bumpy:
+        texture = materials[slot].normal_texture if (block.materials == slot).any() else None
         if texture is not None and f"TEXCOORD_{texture.uv_set}" in block.attributes:
             return texture.uv_set
     return None

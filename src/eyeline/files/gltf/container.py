@@ -39,7 +39,8 @@ def _chunks(data: bytes) -> tuple[bytes, ByteArray | None]:
         raise FileError(f"is GLB version {version}; version 2 is needed, so export the model as glTF 2.0")
     if length > len(data):
         raise FileError(f"claims {length:,} bytes and has {len(data):,}; it is cut off, so copy it again")
-    found: dict[int, bytes] = {}
+    found: dict[int, memoryview] = {}
+    view = memoryview(data)
     offset = HEADER.size
     while offset + CHUNK.size <= length:
         size, kind = CHUNK.unpack_from(data, offset)
@@ -52,12 +53,12 @@ def _chunks(data: bytes) -> tuple[bytes, ByteArray | None]:
             raise FileError(
                 f"its first chunk has type {kind:#x}; JSON is needed there, so the file is damaged"
             )
-        found.setdefault(kind, data[offset : offset + size])
+        found.setdefault(kind, view[offset : offset + size])
         offset += size + -size % 4
     if JSON_CHUNK not in found:
         raise FileError(f"claims {length} bytes, which hold no JSON; the file is damaged")
     binary = found.get(BINARY_CHUNK)
-    return found[JSON_CHUNK], None if binary is None else np.frombuffer(binary, np.uint8)
+    return bytes(found[JSON_CHUNK]), None if binary is None else np.frombuffer(binary, np.uint8)
 
 
 def _parsed(text: bytes) -> dict[str, Any]:

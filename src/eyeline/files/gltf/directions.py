@@ -6,6 +6,7 @@ import numpy as np
 
 from eyeline.files.gltf.blocks import Block
 from eyeline.files.gltf.notes import Notes
+from eyeline.files.gltf.part import spoken
 from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.normals import unit, vertex_normals
 
@@ -21,7 +22,7 @@ def straightened(block: Block, mesh_name: str, notes: Notes) -> Block:
         made["NORMAL"] = unit(stored.astype(np.float64)).astype(np.float32)
         if lost.any():
             notes.add(
-                f"mesh {mesh_name!r} has {lost.sum()} normals of length 0; they are made from its faces"
+                f"mesh {spoken(mesh_name)} has {lost.sum()} normals of length 0; they are made from its faces"
             )
             made["NORMAL"][lost] = vertex_normals(block.attributes["POSITION"], block.faces)[lost]
     stored = block.attributes.get("TANGENT")
@@ -33,7 +34,7 @@ def straightened(block: Block, mesh_name: str, notes: Notes) -> Block:
         made["TANGENT"] = np.concatenate([along, side], axis=1)
     if stored is not None and "NORMAL" not in block.attributes:
         attributes = {name: values for name, values in block.attributes.items() if name != "TANGENT"}
-        notes.add(f"mesh {mesh_name!r} has tangents without normals; they are left out")
+        notes.add(f"mesh {spoken(mesh_name)} has tangents without normals; they are left out")
         return Block(attributes, block.targets, block.faces, block.materials)
     return block.with_attributes(made)
 

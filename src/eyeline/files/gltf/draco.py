@@ -12,7 +12,7 @@ from eyeline.files.gltf.accessors import Numbers
 from eyeline.files.gltf.attributes import read_names
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.geometry.arrays import IntArray
 
 
@@ -57,7 +57,7 @@ class Draco:
         names = read_names(named.values)
         for name in names:
             if named.whole(name) not in stored:
-                raise named.refuse(name, f"the packet holds {sorted(stored)}")
+                raise named.refuse(name, f"the packet holds {spoken(sorted(stored))}")
         attributes = {name: stored[named.whole(name)] for name in names}
         self.document.numbers.spend(
             faces.size + sum(values.size for values in attributes.values()), packed.place

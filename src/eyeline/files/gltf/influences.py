@@ -8,6 +8,7 @@ import numpy as np
 
 from eyeline.files.gltf.blocks import Block
 from eyeline.files.gltf.notes import Notes
+from eyeline.files.gltf.part import spoken
 from eyeline.geometry.arrays import FloatArray, IntArray
 
 OFF = 1e-2  # how far from one the weights of a vertex may add up before it is reported
@@ -24,15 +25,17 @@ def influences_of(
     joints = np.concatenate([_filled(one, width) for one, _ in pairs]).astype(np.int32)
     influences = np.concatenate([_filled(one, width) for _, one in pairs]).astype(np.float32)
     if (influences < 0).any():
-        notes.add(f"mesh {mesh_name!r} has weights below 0; they are taken as 0")
+        notes.add(f"mesh {spoken(mesh_name)} has weights below 0; they are taken as 0")
         influences = np.maximum(influences, 0)
     sums = influences.sum(axis=1)
     lost = sums == 0
     if lost.any():
-        notes.add(f"mesh {mesh_name!r} has {lost.sum()} vertices without weights; the first joint moves them")
+        notes.add(
+            f"mesh {spoken(mesh_name)} has {lost.sum()} vertices without weights; the first joint moves them"
+        )
         joints[lost, 0], influences[lost, 0] = 0, 1
     if (np.abs(sums[~lost] - 1) > OFF).any():
-        notes.add(f"mesh {mesh_name!r} has weights that do not add up to 1; they are scaled to")
+        notes.add(f"mesh {spoken(mesh_name)} has weights that do not add up to 1; they are scaled to")
     joints[influences == 0] = 0
     return joints, influences / np.where(lost, 1, sums)[:, None]
 

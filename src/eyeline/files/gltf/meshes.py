@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-
-import numpy as np
+from itertools import accumulate
 
 from eyeline.files.gltf.attributes import UV_SETS
-from eyeline.files.gltf.blocks import Block, blocks_of
+from eyeline.files.gltf.blocks import Block, blocks_of, together
 from eyeline.files.gltf.completion import completed
 from eyeline.files.gltf.directions import straightened
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.influences import influences_of
 from eyeline.files.gltf.materials import Materials
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.files.gltf.primitives import Primitives
 from eyeline.files.gltf.targets import target_names, targets_of, weights_of
 from eyeline.geometry.arrays import FloatArray
@@ -41,7 +40,7 @@ class Meshes:
         read = (self.primitives(one, name) for one in part.parts("primitives"))
         drawn = [one for one in read if one is not None and len(one.faces)]
         if not drawn:
-            self.document.notes.add(f"mesh {name!r} has no faces")
+            self.document.notes.add(f"mesh {spoken(name)} has no faces")
             return None
         used = tuple(dict.fromkeys(one.material for one in drawn))
         materials = [self.materials(number, part.place) for number in used]
@@ -52,16 +51,16 @@ class Meshes:
         joints, influences = influences_of(blocks, name, self.document.notes)
         targets = targets_of(blocks, target_names(part))
         uv = (joined(blocks, f"TEXCOORD_{number}") for number in range(UV_SETS))
-        first = np.cumsum([0, *(block.count for block in blocks)])
+        first = accumulate((block.count for block in blocks), initial=0)
         return Mesh(
-            np.concatenate([block.attributes["POSITION"] for block in blocks]),
-            np.concatenate([block.faces + start for block, start in zip(blocks, first[:-1], strict=True)]),
+            together([block.attributes["POSITION"] for block in blocks]),
+            together([block.faces + start for block, start in zip(blocks, first, strict=False)]),
             joined(blocks, "NORMAL"),
             joined(blocks, "TANGENT"),
             [one for one in uv if one is not None],
             joined(blocks, "COLOR_0"),
             materials=materials,
-            face_material=np.concatenate([block.materials for block in blocks]) if len(used) > 1 else None,
+            face_material=together([block.materials for block in blocks]) if len(used) > 1 else None,
             targets=targets,
             weights=weights_of(part, len(targets)) or (0.0,) * len(targets),
             joints=joints,
@@ -74,4 +73,4 @@ def joined(blocks: Sequence[Block], name: str) -> FloatArray | None:
     """(V, width) an attribute of all blocks; None where they have none of it."""
     if name not in blocks[0].attributes:
         return None
-    return np.concatenate([block.attributes[name] for block in blocks])
+    return together([block.attributes[name] for block in blocks])

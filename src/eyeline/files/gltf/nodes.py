@@ -15,7 +15,7 @@ from eyeline.files.gltf.instances import instances_of
 from eyeline.files.gltf.lights import light_of
 from eyeline.files.gltf.limits import FACES, INSTANCES, LARGEST
 from eyeline.files.gltf.meshes import Meshes
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.files.gltf.skins import check_fit, skin_of
 from eyeline.files.gltf.targets import weights_of
 from eyeline.files.gltf.tree import Tree
@@ -99,7 +99,7 @@ class Nodes:
         skin = self.document.one("skins", index, part.at("skin"))
         if mesh.joints is None:
             self.document.notes.add(
-                f"{part.place} has a skin, and mesh {mesh.name!r} has no joints; it stays rigid"
+                f"{part.place} has a skin, and mesh {spoken(mesh.name)} has no joints; it stays rigid"
             )
             return None
         if index not in self._skins:
@@ -115,7 +115,7 @@ def check_reach(nodes: Sequence[Node]) -> None:
     for node, matrix in zip(nodes, world, strict=True):
         if not (np.abs(matrix) <= LARGEST).all():
             raise FileError(
-                f"node {node.name!r} is moved or scaled beyond {LARGEST:g} metres; export it smaller"
+                f"node {spoken(node.name)} is moved or scaled beyond {LARGEST:g} metres; export it smaller"
             )
 
 

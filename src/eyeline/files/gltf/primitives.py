@@ -11,7 +11,7 @@ from eyeline.errors import FileError
 from eyeline.files.gltf.accessors import Accessors, normalized
 from eyeline.files.gltf.attributes import TYPES, read_names
 from eyeline.files.gltf.draco import Draco, Unpacked
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.files.gltf.topology import TRIANGLES, UNDRAWN, left_over, triangles
 from eyeline.geometry.arrays import FloatArray, IntArray
 
@@ -53,13 +53,13 @@ class Primitives:
         notes = self.accessors.document.notes
         mode = part.whole("mode", TRIANGLES)
         if mode in UNDRAWN:
-            notes.add(f"mesh {mesh_name!r} has {UNDRAWN[mode]}, which are not drawn")
+            notes.add(f"mesh {spoken(mesh_name)} has {UNDRAWN[mode]}, which are not drawn")
             return None
         if mode > max(UNDRAWN) + 3:
             raise part.refuse("mode", "0 to 6 is needed")
         named = part.part("attributes")
         if not named.has("POSITION"):
-            notes.add(f"mesh {mesh_name!r} has a primitive without POSITION, which is not drawn")
+            notes.add(f"mesh {spoken(mesh_name)} has a primitive without POSITION, which is not drawn")
             return None
         packed = part.extension("KHR_draco_mesh_compression")
         unpacked = None if packed is None else self.draco(packed)
@@ -69,7 +69,7 @@ class Primitives:
         else:
             corners, mode = inside(unpacked.corners, vertices.count, part.place), TRIANGLES
         if loose := left_over(len(corners), mode):
-            notes.add(f"mesh {mesh_name!r} has {loose} corners left over that make no face")
+            notes.add(f"mesh {spoken(mesh_name)} has {loose} corners left over that make no face")
         faces = triangles(corners, mode)
         self.accessors.document.numbers.spend(faces.size, part.place)
         return Primitive(vertices, faces, part.link("material"))

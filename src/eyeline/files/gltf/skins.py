@@ -8,7 +8,7 @@ import numpy as np
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.accessors import Accessors
-from eyeline.files.gltf.part import Part
+from eyeline.files.gltf.part import Part, spoken
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.skin import Skin
@@ -47,6 +47,6 @@ def check_fit(mesh: Mesh, skin: Skin, place: str) -> None:
         return
     vertex = int(mesh.joints.max(axis=1).argmax())
     raise FileError(
-        f"{place}: vertex {vertex} of mesh {mesh.name!r} names joint {mesh.joints.max()}, and its skin has"
-        f" {len(skin.joints)}; the file is damaged"
+        f"{place}: vertex {vertex} of mesh {spoken(mesh.name)} names joint {mesh.joints.max()},"
+        f" and its skin has {len(skin.joints)}; the file is damaged"
     )

@@ -41,14 +41,26 @@ def tree_of(document: Document, scene: Part | None) -> Tree:
             )
     if len(set(roots)) < len(roots):
         raise scene.refuse("nodes", "each root once is needed")
-    wanted = dict.fromkeys(roots)
-    for joint in _joints(document, [node for node in range(len(nodes)) if root_of[node] in wanted]):
-        if root_of[joint] not in wanted:
-            document.notes.add(
-                f"node {joint}, a joint of a skin, stands outside the scene; its tree is added"
-            )
-            wanted[root_of[joint]] = None
-    return _walk(document, list(wanted), children)
+    return _walk(document, _with_joints(document, roots, root_of), children)
+
+
+def _with_joints(document: Document, roots: Sequence[int], root_of: Sequence[int]) -> list[int]:
+    """The roots, and those of all joints that skins under them name, which is reported."""
+    members: dict[int, list[int]] = {}
+    for node, root in enumerate(root_of):
+        members.setdefault(root, []).append(node)
+    wanted = list(roots)
+    known = set(roots)
+    # The list grows while it is walked: an added tree may wear skins too
+    for root in wanted:
+        for joint in _joints(document, members[root]):
+            if root_of[joint] not in known:
+                document.notes.add(
+                    f"node {joint}, a joint of a skin, stands outside the scene; its tree is added"
+                )
+                known.add(root_of[joint])
+                wanted.append(root_of[joint])
+    return wanted
 
 
 def _parents(nodes: Sequence[Part], children: Sequence[list[int]]) -> list[int]:
