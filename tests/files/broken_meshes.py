@@ -155,11 +155,19 @@ STL_FILES: dict[str, tuple[bytes | str, str]] = {
 
 OFF_FILES: dict[str, tuple[bytes | str, str]] = {
     "an empty OFF": (" \n", r"is empty"),
-    "an OFF that is an OBJ": (TRIANGLE, r"does not begin with 'OFF'"),
-    "an OFF cut short": (OFF[:40], r"is no OFF file that can be read"),
-    "an OFF point out of range": (off(b"3 0 3 4", b"3 0 3 9"), r"is no OFF file.*outside the range"),
+    "an OFF that is an OBJ": (TRIANGLE, r"does not begin with 'OFF' or 'COFF' but 'v'"),
+    "an OFF cut short": (OFF[:40], r"claims 5 points and 5 faces in \d lines; it is cut short"),
+    "an OFF without counts": ("OFF\n0 0 0.5\n", r"counts its points and faces as|has no faces"),
+    "an OFF of negative counts": ("OFF\n-3 1 0\n", r"counts its points and faces as '-3 1 0'"),
+    "an OFF point out of range": (off(b"3 0 3 4", b"3 0 3 9"), r"face 4 names point 9; there are 5"),
+    "an OFF face of two corners": (off(b"3 0 3 4", b"2 0 3 4"), r"face 4 has 2 corners; at least 3"),
+    "an OFF face that claims more": (
+        off(b"3 0 3 4", b"9 0 3 4"),
+        r"face 4 is '9 0 3 4'; a count and so many",
+    ),
     "an OFF point that is nan": (off(b"0.5 1 0.5", b"0.5 nan 0.5"), r"point 4 is 0.5 nan 0.5"),
-    "an OFF without faces": ("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", r"has no faces|is no OFF file"),
+    "an OFF point of two numbers": (off(b"0.5 1 0.5", b"0.5 1"), r"point 4 has 2 numbers; 3 are needed"),
+    "an OFF without faces": ("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", r"has no faces"),
 }
 
 ARCHIVES: dict[str, tuple[bytes | str, str]] = {
