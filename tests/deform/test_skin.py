@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from eyeline.deform import skin
+from eyeline.errors import GeometryError
 from eyeline.geometry import quaternion, transform
 
 BOTH = [skin.linear_blend, skin.dual_quaternion]
@@ -216,3 +217,23 @@ def test_threads_do_not_change_a_byte(skinning: Any, monkeypatch: pytest.MonkeyP
         monkeypatch.setattr(skin, "threads", lambda count=count: count)
         answers.append([one.tobytes() for one in body.moved(skinning, screws(11, (1.0, 2.0, 1.0)))])
     assert answers[0] == answers[1] == answers[2]
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        ({"joints": np.full((500, 4), 4)}, "follow joints 4 to 4; there are 4"),
+        ({"joints": np.full((500, 4), -1)}, "follow joints -1 to -1"),
+        ({"joints": np.zeros((500, 3))}, "must both be (500, K)"),
+        ({"points": np.zeros((400, 3))}, "must both be (400, K)"),
+        ({"normals": np.zeros((400, 3))}, "500 rows each"),
+    ],
+)
+def test_arrays_that_do_not_fit_are_refused(change: dict[str, np.ndarray], sentence: str) -> None:
+    body = Body()
+    for name, array in change.items():
+        setattr(body, name, array)
+    for skinning in BOTH:
+        with pytest.raises(GeometryError) as refusal:
+            body.moved(skinning, alone(np.eye(4)))
+        assert sentence in str(refusal.value)

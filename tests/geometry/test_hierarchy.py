@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 
+from eyeline.errors import GeometryError
 from eyeline.geometry import hierarchy, quaternion, transform
 
 
@@ -36,6 +37,12 @@ def test_threads_do_not_change_a_byte(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setattr(hierarchy, "threads", lambda count=count: count)
         answers.append(hierarchy.world_from_nodes(*given).tobytes())
     assert answers[0] == answers[1] == answers[2]
+
+
+def test_a_child_before_its_parent_is_refused() -> None:
+    shift, turn, scale, _ = chain(1, 2)
+    with pytest.raises(GeometryError, match="comes before it"):
+        hierarchy.world_from_nodes(shift, turn, scale, np.array([1, -1]))
 
 
 def test_a_product_sums_in_order() -> None:

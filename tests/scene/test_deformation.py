@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from eyeline.errors import SceneError
+from eyeline.errors import GeometryError, SceneError
 from eyeline.geometry import quaternion, transform
 from eyeline.motion import Clip, Curve, Track
 from eyeline.scene.mesh import Mesh, MorphTarget
@@ -117,11 +117,33 @@ def test_bounds_hold_what_the_joints_moved() -> None:
 def test_a_joint_that_the_skin_does_not_have_is_refused() -> None:
     mesh = Mesh(POINTS, FACES, joints=[[0], [0], [5], [0]], influences=np.ones((4, 1)))
     scene = Scene.of(Node("a", mesh=mesh, skin=Skin((0,), np.eye(4)[None])))
-    with pytest.raises(SceneError, match="names joint 5; its skin has 1"):
+    with pytest.raises(GeometryError, match="follow joints 0 to 5; there are 1"):
         _ = scene.surfaces
+
+
+def test_a_joint_that_is_no_node_is_refused() -> None:
+    mesh = Mesh(POINTS, FACES, joints=[[0]] * 4, influences=np.ones((4, 1)))
+    scene = Scene.of(Node("a", mesh=mesh, skin=Skin((7,), np.eye(4)[None])))
+    with pytest.raises(SceneError, match=r"joints \(7,\); the scene has 1 nodes"):
+        _ = scene.surfaces
+
+
+def test_a_skin_needs_a_matrix_for_each_joint() -> None:
+    with pytest.raises(GeometryError, match=r"2 joints and matrices of shape \(1, 4, 4\)"):
+        Skin((0, 1), np.eye(4)[None])
+    with pytest.raises(GeometryError, match="blends 'cubic'"):
+        Skin((0,), np.eye(4)[None], "cubic")
+
+
+def test_a_target_that_does_not_fit_is_refused() -> None:
+    mesh = Mesh(POINTS, FACES, targets=[MorphTarget(POINTS[:2])])
+    with pytest.raises(GeometryError, match=r"morph target 0 has shape \(2, 3\); \(4, 3\) is needed"):
+        _ = Scene.of(Node("a", mesh=mesh, weights=(1.0,))).surfaces
 
 
 def test_weights_that_do_not_fit_are_refused() -> None:
     mesh = Mesh(POINTS, FACES, targets=[MorphTarget(POINTS)], name="face")
-    with pytest.raises(SceneError, match="mesh 'face' has 1 morph targets and 2 weights"):
-        _ = Scene.of(Node("a", mesh=mesh, weights=(1.0, 2.0))).surfaces
+    scene = Scene.of(Node("a", mesh=mesh, weights=(1.0, 2.0)))
+    for use in (lambda: scene.surfaces, lambda: scene.sample([0])):
+        with pytest.raises(SceneError, match="node 'a' has 2 weights for 1 morph targets"):
+            use()

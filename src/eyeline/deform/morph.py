@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from eyeline.errors import GeometryError
 from eyeline.geometry.arrays import FloatArray
 from eyeline.jit import kernel, share, threads
 
@@ -17,7 +18,7 @@ def blend(base: FloatArray, deltas: Sequence[FloatArray | None], weights: Sequen
 
     A target without deltas, or with weight 0, adds nothing; where none adds, the answer is `base` itself.
     """
-    active = _active(deltas, weights)
+    active = _active(base, deltas, weights)
     if not active:
         return base
     flat = np.ascontiguousarray(base, np.float32).reshape(-1)
@@ -44,20 +45,26 @@ def blend_directions(
 
     Where the sum is no direction, the base stays.
     """
-    if not _active(deltas, weights):
+    directions = base[:, :3]
+    if not _active(directions, deltas, weights):
         return base
-    sums = blend(base[:, :3], deltas, weights)
+    sums = blend(directions, deltas, weights)
     lengths = np.sqrt((sums.astype(np.float64) ** 2).sum(axis=1, keepdims=True))
     unit = np.where(lengths > 0, sums / np.where(lengths > 0, lengths, 1), base[:, :3])
     return np.concatenate([unit, base[:, 3:]], axis=1).astype(np.float32)
 
 
-def _active(deltas: Sequence[FloatArray | None], weights: Sequence[float]) -> list[tuple[FloatArray, float]]:
-    return [
-        (np.ascontiguousarray(delta, np.float32).reshape(-1), float(weight))
-        for delta, weight in zip(deltas, weights, strict=True)
-        if delta is not None and weight != 0
-    ]
+def _active(
+    base: FloatArray, deltas: Sequence[FloatArray | None], weights: Sequence[float]
+) -> list[tuple[FloatArray, float]]:
+    active = []
+    for index, (delta, weight) in enumerate(zip(deltas, weights, strict=True)):
+        if delta is None or weight == 0:
+            continue
+        if delta.shape != base.shape:
+            raise GeometryError(f"morph target {index} has shape {delta.shape}; {base.shape} is needed")
+        active.append((np.ascontiguousarray(delta, np.float32).reshape(-1), float(weight)))
+    return active
 
 
 @kernel

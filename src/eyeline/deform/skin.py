@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from eyeline.errors import GeometryError
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.jit import kernel, share, threads
@@ -74,6 +75,8 @@ RIGID = 1e-9  # a stretch nearer to none than this moves no float32 vertex
 
 
 def _moved(given: Skinned, joints: IntArray, influences: FloatArray, table: FloatArray, way: int) -> Skinned:
+    joints, influences = np.ascontiguousarray(joints, np.int32), np.ascontiguousarray(influences, np.float32)
+    _refuse(given, joints, influences, len(table))
     points, normals, tangents = (
         np.empty((0, width), np.float32) if one is None else np.ascontiguousarray(one, np.float32)
         for one, width in zip(given, (3, 3, 4), strict=True)
@@ -93,6 +96,19 @@ def _moved(given: Skinned, joints: IntArray, influences: FloatArray, table: Floa
         None if given[1] is None else outs[1],
         None if given[2] is None else outs[2],
     )
+
+
+def _refuse(given: Skinned, joints: IntArray, influences: FloatArray, count: int) -> None:
+    vertices = len(given[0])
+    if joints.shape != influences.shape or joints.ndim != 2 or len(joints) != vertices:
+        raise GeometryError(
+            f"joints {joints.shape} and influences {influences.shape} must both be ({vertices}, K)"
+        )
+    if any(one is not None and len(one) != vertices for one in given):
+        raise GeometryError(f"points, normals and tangents must be {vertices} rows each")
+    # Read as unsigned, a negative number is too large as well
+    if joints.size and joints.view(np.uint32).max() >= count:
+        raise GeometryError(f"vertices follow joints {joints.min()} to {joints.max()}; there are {count}")
 
 
 @kernel

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from eyeline.errors import GeometryError
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.jit import kernel, share, threads
 
@@ -24,6 +25,10 @@ def world_from_nodes(
     fixed: the nodes that an affine matrix (4, 4) places instead.
     """
     count, nodes = translation.shape[:2]
+    if len(parents) != nodes or (parents >= np.arange(nodes)).any() or (parents < -1).any():
+        raise GeometryError(
+            f"{nodes} nodes have parents {parents.tolist()}; each one's parent comes before it"
+        )
     world = np.empty((count, nodes, 4, 4))
     places = dict(fixed or {})
     which = np.full(nodes, -1, dtype=np.int64)

@@ -24,8 +24,6 @@ def morphed(mesh: Mesh, weights: Sequence[float]) -> Mesh:
     Attributes that a target leaves out stay; normals and tangents stay unit, colours within 0..1.
     """
     targets = mesh.targets
-    if len(weights) != len(targets):
-        raise SceneError(f"mesh {mesh.name!r} has {len(targets)} morph targets and {len(weights)} weights")
     if not any(weights):
         return mesh
     values: dict[str, Any] = {"points": morph.blend(mesh.points, [one.points for one in targets], weights)}
@@ -45,6 +43,17 @@ def morphed(mesh: Mesh, weights: Sequence[float]) -> Mesh:
     return mesh.changed(**values)
 
 
+def weights_of(node: Node, mesh: Mesh) -> tuple[float, ...]:
+    """What a node's mesh is morphed by: the node's weights, or else the mesh's own; one for each target."""
+    weights = mesh.weights if node.weights is None else node.weights
+    if len(weights) != len(mesh.targets):
+        raise SceneError(
+            f"node {node.name!r} has {len(weights)} weights for {len(mesh.targets)} morph targets;"
+            " one for each is needed"
+        )
+    return weights
+
+
 def skinned(mesh: Mesh, node: Node, world: FloatArray) -> tuple[Mesh, FloatArray]:
     """The mesh where the joints of the node's skin have taken it, and its world_from_mesh (4, 4).
 
@@ -52,7 +61,6 @@ def skinned(mesh: Mesh, node: Node, world: FloatArray) -> tuple[Mesh, FloatArray
     Where the joints mirror the mesh, so does world_from_mesh, so that front faces stay known as such.
     """
     assert node.skin is not None and mesh.joints is not None and mesh.influences is not None
-    _refuse_joints(mesh, node)
     matrices = joint_matrices(node.skin, world)
     placing = transform.identity()
     if 2 * (_determinants(matrices) < 0).sum() > len(matrices):
@@ -65,7 +73,9 @@ def skinned(mesh: Mesh, node: Node, world: FloatArray) -> tuple[Mesh, FloatArray
 
 
 def joint_matrices(skin: Skin, world: FloatArray) -> FloatArray:
-    """(J, 4, 4) from where the mesh was bound to the world."""
+    """(J, 4, 4) from where the mesh was bound to the world; refused: a joint that is no node."""
+    if skin.joints and not 0 <= min(skin.joints) <= max(skin.joints) < len(world):
+        raise SceneError(f"skin {skin.name!r} has joints {skin.joints}; the scene has {len(world)} nodes")
     return transform.product(world[list(skin.joints)], np.asarray(skin.joint_from_mesh, dtype=np.float64))
 
 
@@ -73,13 +83,3 @@ def _determinants(matrices: FloatArray) -> FloatArray:
     (ax, bx, cx), (ay, by, cy), (az, bz, cz) = matrices[:, :3, :3].transpose(1, 2, 0)
     found: FloatArray = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
     return found
-
-
-def _refuse_joints(mesh: Mesh, node: Node) -> None:
-    assert node.skin is not None and mesh.joints is not None
-    count = len(node.skin.joints)
-    # Read as unsigned, a negative number is too large as well
-    if mesh.joints.size and mesh.joints.view(np.uint32).max() >= count:
-        raise SceneError(
-            f"the mesh of node {node.name!r} names joint {mesh.joints.max()}; its skin has {count}"
-        )

@@ -12,6 +12,7 @@ import numpy as np
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.hierarchy import world_from_nodes
+from eyeline.scene.deformation import weights_of
 from eyeline.scene.node import Node
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ class Samples:
             for column, part in zip((places.translation, places.rotation, places.scale), parts, strict=True):
                 column[0, node] = part
         weights = {
-            index: np.tile(np.array(node.mesh.weights if node.weights is None else node.weights), (count, 1))
+            index: np.tile(np.array(weights_of(node, node.mesh)), (count, 1))
             for index, node in enumerate(scene.nodes)
             if node.mesh is not None and node.mesh.targets
         }

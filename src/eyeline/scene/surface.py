@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
-from eyeline.scene.deformation import morphed, skinned
+from eyeline.scene.deformation import morphed, skinned, weights_of
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 
@@ -40,7 +40,7 @@ def surfaces_of(nodes: Sequence[Node], world: FloatArray) -> tuple[Surface, ...]
         if node.mesh is None:
             continue
         visible = shown(nodes, index)
-        mesh = morphed(node.mesh, node.mesh.weights if node.weights is None else node.weights)
+        mesh = morphed(node.mesh, weights_of(node, node.mesh))
         if node.skin is not None and mesh.joints is not None:
             mesh, matrix = skinned(mesh, node, world)
             matrices = [matrix]
