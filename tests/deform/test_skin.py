@@ -225,6 +225,7 @@ def test_threads_do_not_change_a_byte(skinning: Any, monkeypatch: pytest.MonkeyP
         ({"joints": np.full((500, 4), 4)}, "follow joints 4 to 4; there are 4"),
         ({"joints": np.full((500, 4), -1)}, "follow joints -1 to -1"),
         ({"joints": np.zeros((500, 3))}, "must both be (500, K)"),
+        ({"joints": np.zeros((500, 0)), "influences": np.zeros((500, 0))}, "must both be (500, K), K > 0"),
         ({"points": np.zeros((400, 3))}, "must both be (400, K)"),
         ({"normals": np.zeros((400, 3))}, "500 rows each"),
     ],

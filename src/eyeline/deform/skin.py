@@ -100,9 +100,9 @@ def _moved(given: Skinned, joints: IntArray, influences: FloatArray, table: Floa
 
 def _refuse(given: Skinned, joints: IntArray, influences: FloatArray, count: int) -> None:
     vertices = len(given[0])
-    if joints.shape != influences.shape or joints.ndim != 2 or len(joints) != vertices:
+    if joints.shape != influences.shape or joints.ndim != 2 or len(joints) != vertices or not joints.shape[1]:
         raise GeometryError(
-            f"joints {joints.shape} and influences {influences.shape} must both be ({vertices}, K)"
+            f"joints {joints.shape} and influences {influences.shape} must both be ({vertices}, K), K > 0"
         )
     if any(one is not None and len(one) != vertices for one in given):
         raise GeometryError(f"points, normals and tangents must be {vertices} rows each")
