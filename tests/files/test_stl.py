@@ -48,7 +48,7 @@ def test_soup_of_triangles_is_kept_as_it_is():
 
 
 def test_busted_model_is_closed_though_its_own_normals_are_zero():
-    """What is busted are the file's normals, all 0 0 0, and its suffix is in capitals; the surface is sound."""
+    """What is busted are the file's normals, all 0 0 0, and its suffix is in capitals."""
     path = data("mesh/busted.STL")
     assert not np.frombuffer(path.read_bytes(), TRIANGLE, offset=HEADER)["normal"].any()
     mesh = load(path).nodes[0].mesh

@@ -1,4 +1,4 @@
-"""The Cornell box, as measured: lengths, reflectances, camera. [Goral84; Cornell98]"""
+"""The Cornell box, as measured: lengths, reflectances, camera. [Goral84, Cornell98]"""
 
 from __future__ import annotations
 
