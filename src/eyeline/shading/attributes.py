@@ -13,7 +13,9 @@ from eyeline.shading.encoding import DECODED
 from eyeline.shading.geometry_table import (
     COLORS,
     FACE_MATERIAL,
+    FACES,
     MATERIAL,
+    MIRRORED,
     NORMAL,
     NORMALS,
     POINTS,
@@ -77,27 +79,42 @@ def gather(geometry, materials, decoded, points, begin, end, faceted, lanes, pai
             current = faces[point]
             surface = surface_of(geometry.first_faces, current, surface)
             face = current - geometry.first_faces[surface]
-            corners = corners_of(geometry, surface, face)
-            edges, side = edges_of(geometry, surface, corners)
-            facing = face_normal(geometry, surface, corners, side)
+            corners = corners_of(geometry.faces, geometry.places[surface, FACES] + face)
+            first = geometry.places[surface, POINTS]
+            edges, clockwise = edges_of(geometry.matrices, surface, geometry.points, first, corners)
+            # A mirrored surface shows its front clockwise
+            side = -1.0 if clockwise != (geometry.places[surface, MIRRORED] != 0) else 1.0
+            facing = face_normal(geometry.matrices, surface, geometry.points, first, corners, side)
             material = geometry.places[surface, MATERIAL]
             if geometry.places[surface, FACE_MATERIAL] >= 0:
                 material += geometry.face_material[geometry.places[surface, FACE_MATERIAL] + face]
             textured = has_textures(materials.slots, material)
-            flat = faceted or geometry.places[surface, NORMALS] < 0
-            coloured = geometry.places[surface, COLORS] >= 0
+            first_normal = geometry.places[surface, NORMALS]
+            flat = faceted or first_normal < 0
+            first_color = geometry.places[surface, COLORS]
+            coloured = first_color >= 0
         shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
-        write_place(geometry, surface, corners, shares, lanes, lane)
+        write_place(geometry.matrices, surface, geometry.points, first, corners, shares, lanes, lane)
         lanes[GX, lane], lanes[GY, lane], lanes[GZ, lane] = facing
         if flat:
             lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = facing
         else:
-            write_normal(geometry, surface, corners, shares, side, lanes, lane)
+            facing_shares = shares[0] * side, shares[1] * side, shares[2] * side
+            write_normal(
+                geometry.matrices,
+                surface,
+                geometry.normals,
+                first_normal,
+                corners,
+                facing_shares,
+                lanes,
+                lane,
+            )
         if painted[lane] != material:
             write_material(materials.factors, material, lanes, lane)
         painted[lane] = -1 if coloured or textured else material
         if coloured:
-            tint(geometry, surface, corners, shares, lanes, lane)
+            tint(geometry.colors, first_color, corners, shares, lanes, lane)
         if textured:
             texture_point(
                 geometry,
@@ -133,25 +150,22 @@ def surface_of(first_faces, face, likely):
 
 
 @helper
-def face_normal(geometry, surface, corners, side):
+def face_normal(matrices, surface, points, first, corners, side):
     """The normal of a face towards the eye, of any length, world axes."""
-    first = geometry.places[surface, POINTS]
     a, b, c = 3 * (first + corners[0]), 3 * (first + corners[1]), 3 * (first + corners[2])
-    points = geometry.points
     x, y, z = float(points[a]), float(points[a + 1]), float(points[a + 2])
     ux, uy, uz = points[b] - x, points[b + 1] - y, points[b + 2] - z
     vx, vy, vz = points[c] - x, points[c + 1] - y, points[c + 2] - z
     nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
     longest = max(abs(nx), abs(ny), abs(nz))
     scale = side / longest if longest > 0 else 1.0
-    return turned(geometry.matrices, surface, NORMAL, 3, nx * scale, ny * scale, nz * scale)
+    return turned(matrices, surface, nx * scale, ny * scale, nz * scale)
 
 
 @helper
-def turned(matrices, surface, start, width, x, y, z):
-    """A direction by three columns of a matrix that begins at column `start`, rows `width` apart; float32."""
-    m = matrices
-    a, b, c = start, start + width, start + 2 * width
+def turned(matrices, surface, x, y, z):
+    """A normal from the mesh's axes to the world's; float32."""
+    m, a, b, c = matrices, NORMAL, NORMAL + 3, NORMAL + 6
     return (
         np.float32(m[surface, a] * x + m[surface, a + 1] * y + m[surface, a + 2] * z),
         np.float32(m[surface, b] * x + m[surface, b + 1] * y + m[surface, b + 2] * z),
@@ -160,38 +174,24 @@ def turned(matrices, surface, start, width, x, y, z):
 
 
 @helper
-def write_place(geometry, surface, corners, shares, lanes, lane):
+def write_place(matrices, surface, points, first, corners, shares, lanes, lane):
     """Where the point is, from the eye."""
-    first = geometry.places[surface, POINTS]
-    x = mixed(geometry.points, 3, 0, first, corners, shares)
-    y = mixed(geometry.points, 3, 1, first, corners, shares)
-    z = mixed(geometry.points, 3, 2, first, corners, shares)
-    m = geometry.matrices
-    lanes[X, lane] = (
-        m[surface, WORLD] * x + m[surface, WORLD + 1] * y + m[surface, WORLD + 2] * z + m[surface, WORLD + 3]
-    )
-    lanes[Y, lane] = (
-        m[surface, WORLD + 4] * x
-        + m[surface, WORLD + 5] * y
-        + m[surface, WORLD + 6] * z
-        + m[surface, WORLD + 7]
-    )
-    lanes[Z, lane] = (
-        m[surface, WORLD + 8] * x
-        + m[surface, WORLD + 9] * y
-        + m[surface, WORLD + 10] * z
-        + m[surface, WORLD + 11]
-    )
+    x = mixed(points, 3, 0, first, corners, shares)
+    y = mixed(points, 3, 1, first, corners, shares)
+    z = mixed(points, 3, 2, first, corners, shares)
+    m, a, b, c = matrices, WORLD, WORLD + 4, WORLD + 8
+    lanes[X, lane] = m[surface, a] * x + m[surface, a + 1] * y + m[surface, a + 2] * z + m[surface, a + 3]
+    lanes[Y, lane] = m[surface, b] * x + m[surface, b + 1] * y + m[surface, b + 2] * z + m[surface, b + 3]
+    lanes[Z, lane] = m[surface, c] * x + m[surface, c + 1] * y + m[surface, c + 2] * z + m[surface, c + 3]
 
 
 @helper
-def write_normal(geometry, surface, corners, shares, side, lanes, lane):
-    """The interpolated normal, on the side the eye sees."""
-    first = geometry.places[surface, NORMALS]
-    x = mixed(geometry.normals, 3, 0, first, corners, shares) * side
-    y = mixed(geometry.normals, 3, 1, first, corners, shares) * side
-    z = mixed(geometry.normals, 3, 2, first, corners, shares) * side
-    lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = turned(geometry.matrices, surface, NORMAL, 3, x, y, z)
+def write_normal(matrices, surface, normals, first, corners, shares, lanes, lane):
+    """The interpolated normal; shares: negative for a face seen from behind."""
+    x = mixed(normals, 3, 0, first, corners, shares)
+    y = mixed(normals, 3, 1, first, corners, shares)
+    z = mixed(normals, 3, 2, first, corners, shares)
+    lanes[NX, lane], lanes[NY, lane], lanes[NZ, lane] = turned(matrices, surface, x, y, z)
 
 
 @helper
@@ -212,10 +212,9 @@ def write_material(factors, material, lanes, lane):
 
 
 @helper
-def tint(geometry, surface, corners, shares, lanes, lane):
+def tint(colors, first, corners, shares, lanes, lane):
     """Multiply the base colour by the vertex colour."""
-    first = geometry.places[surface, COLORS]
-    lanes[RED, lane] *= mixed(geometry.colors, 4, 0, first, corners, shares)
-    lanes[GREEN, lane] *= mixed(geometry.colors, 4, 1, first, corners, shares)
-    lanes[BLUE, lane] *= mixed(geometry.colors, 4, 2, first, corners, shares)
-    lanes[COVER, lane] *= mixed(geometry.colors, 4, 3, first, corners, shares)
+    lanes[RED, lane] *= mixed(colors, 4, 0, first, corners, shares)
+    lanes[GREEN, lane] *= mixed(colors, 4, 1, first, corners, shares)
+    lanes[BLUE, lane] *= mixed(colors, 4, 2, first, corners, shares)
+    lanes[COVER, lane] *= mixed(colors, 4, 3, first, corners, shares)

@@ -12,8 +12,8 @@ from eyeline.scene.material import Colour
 from eyeline.shading.encoding import DITHER, srgb_from_linear
 
 # Slightly cool light greys, linear: in the middle, where the product stands, and in the corners.
-MIDDLE = np.array([0.865, 0.88, 0.90])
-CORNER = np.array([0.50, 0.525, 0.56])
+MIDDLE = 0.86 * np.array([0.985, 1.0, 1.02])
+CORNER = 0.52 * np.array([0.985, 1.0, 1.02])
 MIDDLE_HEIGHT = 0.42  # of the picture, from above
 
 

@@ -1,21 +1,19 @@
-"""Where in its triangle a point of the picture lies, right in perspective, without dividing by depth. [Olano97]"""
+"""Where in its triangle a point of the picture lies, right in perspective. [Olano97]"""
 
 from __future__ import annotations
 
 from eyeline.jit import helper
-from eyeline.shading.geometry_table import FACES, MIRRORED, POINTS
 
 
 @helper
-def corners_of(geometry, surface, face):
-    """The three vertices of a surface's own face, counted within its mesh."""
-    at = 3 * (geometry.places[surface, FACES] + face)
-    return geometry.faces[at], geometry.faces[at + 1], geometry.faces[at + 2]
+def corners_of(faces, row):
+    """The three vertices of a row of flat faces."""
+    return faces[3 * row], faces[3 * row + 1], faces[3 * row + 2]
 
 
 @helper
 def corner_in_picture(matrices, surface, points, vertex):
-    """(x w, y w, w) of a vertex, in pixels; matrices: Geometry.matrices, which begins with picture_from_mesh."""
+    """(x w, y w, w) of a vertex, in pixels; Geometry.matrices begin with picture_from_mesh."""
     x, y, z = float(points[3 * vertex]), float(points[3 * vertex + 1]), float(points[3 * vertex + 2])
     xw = matrices[surface, 0] * x + matrices[surface, 1] * y + matrices[surface, 2] * z + matrices[surface, 3]
     yw = matrices[surface, 4] * x + matrices[surface, 5] * y + matrices[surface, 6] * z + matrices[surface, 7]
@@ -29,22 +27,19 @@ def corner_in_picture(matrices, surface, points, vertex):
 
 
 @helper
-def edges_of(geometry, surface, corners):
-    """Three edge functions (a, b, c), and 1 if the face shows its front, else -1.
+def edges_of(matrices, surface, points, first, corners):
+    """Three edge functions (a, b, c), and whether the face turns clockwise on the screen, y down.
 
     a x + b y + c is 0 along the edge and grows with the opposite corner's share; divided by the sum of
     the three it is that share. A corner behind the eye needs no care.
     """
-    first = geometry.places[surface, POINTS]
-    x0, y0, w0 = corner_in_picture(geometry.matrices, surface, geometry.points, first + corners[0])
-    x1, y1, w1 = corner_in_picture(geometry.matrices, surface, geometry.points, first + corners[1])
-    x2, y2, w2 = corner_in_picture(geometry.matrices, surface, geometry.points, first + corners[2])
+    x0, y0, w0 = corner_in_picture(matrices, surface, points, first + corners[0])
+    x1, y1, w1 = corner_in_picture(matrices, surface, points, first + corners[1])
+    x2, y2, w2 = corner_in_picture(matrices, surface, points, first + corners[2])
     edge0 = y1 * w2 - w1 * y2, w1 * x2 - x1 * w2, x1 * y2 - y1 * x2
     edge1 = y2 * w0 - w2 * y0, w2 * x0 - x2 * w0, x2 * y0 - y2 * x0
     edge2 = y0 * w1 - w0 * y1, w0 * x1 - x0 * w1, x0 * y1 - y0 * x1
-    # With y down the page a front face turns the other way round
-    front = (x0 * edge0[0] + y0 * edge0[1] + w0 * edge0[2] < 0) != (geometry.places[surface, MIRRORED] != 0)
-    return (edge0, edge1, edge2), 1.0 if front else -1.0
+    return (edge0, edge1, edge2), x0 * edge0[0] + y0 * edge0[1] + w0 * edge0[2] > 0
 
 
 @helper

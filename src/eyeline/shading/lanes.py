@@ -5,7 +5,7 @@ A row holds one number of many points side by side, so that arithmetic runs over
 
 from __future__ import annotations
 
-TILE = 2048  # points at a time: all rows of a tile stay in a core's own cache
+TILE = 4096  # points at a time: all rows of a tile stay in a core's own cache
 
 # Place, from the eye, along the world's axes, metres
 X, Y, Z = 0, 1, 2

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
-from eyeline.jit import kernel
 from eyeline.shading.attributes import gather
 from eyeline.shading.encoding import DECODED
 from eyeline.shading.environment import add_environment
@@ -31,26 +30,20 @@ def colours_of(frame: Frame, stage: Stage, points: SurfacePoints, faceted: bool 
 
     stage: `stage_of(frame)`. faceted: each face by its own normal.
     """
-    colours = np.empty((len(points), 4), np.float32)
+    count = len(points)
+    colours = np.empty((count, 4), np.float32)
     lanes, painted = np.empty((ROWS, TILE), np.float32), np.full(TILE, -1)
-    shade_tiles(
-        frame.geometry, frame.materials, DECODED, (points.face, points.x, points.y), bool(faceted), stage,
-        2.0**frame.look.exposure, float(frame.look.tone == "neutral"), lanes, painted, colours,
-    )  # fmt: skip
+    where = points.face, points.x, points.y
+    gain, neutral = np.float32(2.0**frame.look.exposure), np.float32(frame.look.tone == "neutral")
+    for begin in range(0, count, TILE):
+        end = min(count, begin + TILE)
+        size = end - begin
+        gather(frame.geometry, frame.materials, DECODED, where, begin, end, faceted, lanes, painted)
+        prepare(lanes, size, stage.sight)
+        look_up(lanes, size, stage.openness)
+        add_environment(lanes, size, stage.environment)
+        for light in range(len(stage.lights)):
+            arrive(lanes, size, stage.shadows, stage.lights, light)
+            add_light(lanes, size, stage.lights, light)
+        show(lanes, size, gain, neutral, colours, begin)
     return colours
-
-
-@kernel
-def shade_tiles(geometry, materials, decoded, points, faceted, stage, gain, neutral, lanes, painted, colours):
-    """Fill colours (K, 4)."""
-    total = points[0].shape[0]
-    for begin in range(0, total, lanes.shape[1]):
-        end = min(total, begin + lanes.shape[1])
-        gather(geometry, materials, decoded, points, begin, end, faceted, lanes, painted)
-        prepare(lanes, end - begin, stage.sight)
-        look_up(lanes, end - begin, stage.openness)
-        add_environment(lanes, end - begin, stage.environment)
-        for light in range(stage.lights.shape[0]):
-            arrive(lanes, end - begin, stage.shadows, stage.lights, light)
-            add_light(lanes, end - begin, stage.lights, light)
-        show(lanes, end - begin, np.float32(gain), np.float32(neutral), colours, begin)

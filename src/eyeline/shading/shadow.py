@@ -16,9 +16,9 @@ from eyeline.shading.shadow_map import BLOCK, CALM, EMPTY, MATRIX, PLANES, UNIT,
 ZERO, ONE = np.float32(0), np.float32(1)
 TAPS = 8  # texels of a filter along each side
 REACH = 4  # texels that it covers to each side of its middle
-NARROWEST = np.float32(1.5)  # texels: the radius of the sharpest outline
-STEEPEST = 12.0  # texels of depth for each across: beyond, a face is lit so flatly that it is dark anyway
-SLACK, SLACK_OF_SLOPE = 0.5, 0.25  # texels of depth, and of the slope, that a blocker must stand out by
+NARROWEST = np.float32(2)  # texels: the radius of the sharpest outline
+STEEPEST = 100.0  # texels of depth for each across: beyond, a face is lit so flatly that it is dark anyway
+SLACK, SLACK_OF_SLOPE = 0.5, 0.1  # texels of depth, and of the slope, that a blocker must stand out by
 
 
 @kernel

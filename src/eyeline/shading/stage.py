@@ -36,8 +36,9 @@ def stage_of(frame: Frame) -> Stage:
     lighting = lighting_of(frame.scene, camera)
     # Of the rig only the key casts a shadow; of the scene's own lights as many as there are maps for
     casting = lighting.lights[: 1 if lighting.studio else None] if frame.look.shadows else ()
-    # Half as fine as the picture: the lights are soft
-    texels = min(max(round(min(frame.size) / 2 / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
+    # The studio is soft: half as fine as the picture is fine enough
+    fineness = min(frame.size) / (2 if lighting.studio else 1)
+    texels = min(max(round(fineness / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
     shadows = shadow_maps(frame.scene, casting, len(lighting.lights), eye, texels, MOST_MAPS)
     diagonal = frame.scene.bounds.diagonal or 1.0
     to_light = casting[0].world_from_light[:3, 2] if casting and lighting.studio else None

@@ -14,6 +14,8 @@ from eyeline.scene.scene import Scene
 from eyeline.shading.environment import environment
 from eyeline.shading.light_table import PlacedLight
 
+OWN_SIZE = 0.012  # of a file's lights, which have none: their shadows' outlines are a little soft
+
 
 @dataclass(frozen=True, eq=False)
 class Lighting:
@@ -26,7 +28,7 @@ class Lighting:
 
 def lighting_of(scene: Scene, camera: Camera) -> Lighting:
     """The scene's own lights with a modest glow around them, or the studio rig."""
-    own = tuple(PlacedLight(light, matrix) for light, matrix in scene.lights)
+    own = tuple(PlacedLight(light, matrix, OWN_SIZE) for light, matrix in scene.lights)
     if not own:
         return studio_rig(camera)
     glow = np.array([0.055, 0.06, 0.066])
@@ -46,14 +48,14 @@ def studio_rig(camera: Camera) -> Lighting:
             size,
         )
         for place, color, intensity, size in (
-            ((-0.62, 1.0, 0.68), (1.0, 0.985, 0.96), 2.05, 0.10),
-            ((0.95, 0.28, 0.55), (0.93, 0.965, 1.0), 0.42, 0.30),
-            ((0.45, 0.75, -0.95), (1.0, 1.0, 1.0), 0.95, 0.15),
+            ((-0.62, 1.0, 0.68), (1.0, 0.985, 0.96), 1.85, 0.14),
+            ((0.95, 0.28, 0.55), (0.93, 0.965, 1.0), 0.28, 0.30),
+            ((0.45, 0.75, -0.95), (1.0, 1.0, 1.0), 0.8, 0.15),
         )
     )
     box_axis = level @ np.array([-0.25, 0.95, 0.2])
     parts = environment(
-        np.array([0.52, 0.535, 0.56]), np.array([0.30, 0.295, 0.285]), np.full(3, 0.75),
+        np.array([0.36, 0.37, 0.385]), np.array([0.20, 0.197, 0.19]), np.full(3, 0.55),
         box_axis / np.sqrt((box_axis**2).sum()),
     )  # fmt: skip
     return Lighting(lights, parts, True)
