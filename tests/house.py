@@ -11,6 +11,7 @@ from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parent.parent
 PACKAGE = PROJECT / "src" / "eyeline"
+FOLDERS = ("src", "tests", "docs", "examples", "benchmarks")
 
 Definition = ast.FunctionDef | ast.AsyncFunctionDef
 COMPILED = {"kernel", "helper"}
@@ -82,9 +83,12 @@ def imported(file: Path) -> set[str]:
 
 
 def tracked() -> list[Path]:
-    """Every text file that is under version control."""
-    listing = subprocess.run(
-        ["git", "ls-files", "-z"], cwd=PROJECT, capture_output=True, check=True, text=True
-    )
-    files = (PROJECT / name for name in listing.stdout.split("\0") if name)
+    """Every text file under version control; in a copy without it, every one of our folders."""
+    if (PROJECT / ".git").exists():
+        git = subprocess.run(
+            ["git", "ls-files", "-z"], cwd=PROJECT, capture_output=True, check=True, text=True
+        )
+        files = [PROJECT / name for name in git.stdout.split("\0") if name]
+    else:
+        files = [file for folder in FOLDERS for file in PROJECT.joinpath(folder).rglob("*")]
     return [file for file in files if file.is_file() and b"\0" not in file.read_bytes()[:4096]]
