@@ -25,7 +25,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
     """Run a command line and give its exit code; no exception leaves it."""
     given = sys.argv[1:] if arguments is None else list(arguments)
     try:
-        return call(given)
+        code = call(given)
+        sys.stdout.flush()
+        return code
     except EyelineError as reason:
         return refuse(str(reason))
     except KeyboardInterrupt:

@@ -11,7 +11,17 @@ from typing import Annotated, Any
 import typer
 
 from eyeline.cli.progress import progress_bar, say
-from eyeline.cli.values import Debug, Json, Quiet, SceneName, Size, background_of, scene_of, size_of
+from eyeline.cli.values import (
+    Debug,
+    Json,
+    Quiet,
+    SceneName,
+    Size,
+    background_of,
+    clip_of,
+    scene_of,
+    size_of,
+)
 from eyeline.errors import OptionError
 
 STILL = (".png", ".jpg", ".jpeg")  # always one picture; .webp is either
@@ -108,7 +118,8 @@ def still(scene: str, output: Path, time: float, options: dict[str, Any]) -> dic
 
     refuse_place(output)
     shot_of(**options)
-    image = picture_of(scene_of(scene), time=time, **options)
+    opened = scene_of(scene)
+    image = picture_of(opened, time=time, **options | {"clip": clip_of(opened, options["clip"])})
     image.save(output)
     return {"path": str(output), "frames": 1, "size": list(image.size)}
 
@@ -124,7 +135,8 @@ def moving(
     encoder = encoder_for(output)
     encoder.check(output)
     shot_of(**options)
-    shown = film(scene_of(scene), **span, **options)
+    opened = scene_of(scene)
+    shown = film(opened, **span, **options | {"clip": clip_of(opened, options["clip"])})
     notes = encoder.notes(shown.job())
     for note in () if quiet else notes:
         print("eyeline:", note, file=sys.stderr)

@@ -53,6 +53,17 @@ def background_of(text: str) -> Any:
     return tuple(linear_from_srgb(np.array(shown) / 255).tolist())
 
 
+def clip_of(scene: Scene, name: str | None) -> str | int | None:
+    """A clip by its name, or by its number where no clip has that name."""
+    if (
+        name is None
+        or name in (clip.name for clip in scene.clips)
+        or not (name.isascii() and name.isdecimal())
+    ):
+        return name
+    return int(name)
+
+
 def scene_of(name: str) -> Scene:
     """A scene from a file, or a built-in one."""
     if name.startswith(SAMPLE):

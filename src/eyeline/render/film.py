@@ -48,17 +48,18 @@ def film(
     shot = shot_of(**options)
     clip = scene.clip(shot.clip)
     begin = 0.0 if start is None else float(start)
+    turn = None if turntable is None else float(turntable)
     if end is not None:
         stop = float(end)
-    elif turntable is not None:
-        stop = begin + turntable
+    elif turn is not None:
+        stop = begin + turn
     elif clip is not None:
         stop = clip.duration
     else:
         raise SceneError(
             "the scene has no clip, so a film of it needs an end, or a turntable (--turntable SECONDS)"
         )
-    return Film(scene, float(fps), begin, stop, turntable, shot)
+    return Film(scene, float(fps), begin, stop, turn, shot)
 
 
 @dataclass(frozen=True, eq=False)

@@ -104,7 +104,7 @@ class WebPSink:
 
 
 def changed_part(before: ByteArray | None, now: ByteArray) -> tuple[int, int, int, int]:
-    """(left, top, right, bottom) of what differs; left and top are even, as the container wants, and it is never empty."""
+    """(left, top, right, bottom) of what differs, at least a pixel; left and top are even, as WebP wants."""
     height, width = now.shape[:2]
     if before is None:
         return 0, 0, width, height
