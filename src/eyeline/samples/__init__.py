@@ -12,6 +12,18 @@ from eyeline.samples.solids import cube, sphere, torus
 from eyeline.samples.teapot import teapot
 from eyeline.scene.scene import Scene
 
+__all__ = [
+    "SAMPLES",
+    "bouncing_ball",
+    "cornell_box",
+    "cube",
+    "demo_shot",
+    "desk_lamp",
+    "sphere",
+    "teapot",
+    "torus",
+]
+
 SAMPLES: dict[str, Callable[[], Scene]] = {
     make.__name__: make
     for make in (sphere, cube, torus, teapot, cornell_box, desk_lamp, bouncing_ball, demo_shot)

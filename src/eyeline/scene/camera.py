@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -31,7 +31,7 @@ class Camera:
     near: float | None = None
     far: float | None = None
     aspect: float | None = None
-    world_from_eye: FloatArray = None  # type: ignore[assignment]  # (4, 4) rigid; the identity if left out
+    world_from_eye: FloatArray = field(default_factory=transform.identity)  # (4, 4) rigid
     name: str = ""
 
     def __post_init__(self) -> None:
@@ -48,8 +48,6 @@ class Camera:
             )
         if self.far is not None and not (self.near or 0) < self.far:
             raise GeometryError(f"far is {self.far} metres; more than near, {self.near}, is needed")
-        if self.world_from_eye is None:
-            object.__setattr__(self, "world_from_eye", transform.identity())
 
     @classmethod
     def look_at(
