@@ -32,14 +32,6 @@ def test_import_loads_nothing_heavy() -> None:
     assert set(loaded.split()) & HEAVY == set()
 
 
-def test_a_scene_is_described_without_compiler_or_codecs() -> None:
-    loaded = fresh(
-        "import eyeline as el; el.Scene.of(el.Mesh([(0,0,0),(1,0,0),(0,1,0)], [(0,1,2)])).bounds; "
-        "print(*{name.partition('.')[0] for name in sys.modules})"
-    )
-    assert set(loaded.split()) & HEAVY == set()
-
-
 @pytest.mark.parametrize("first", ["eyeline.render.film", "eyeline.render.frame", "eyeline"])
 def test_render_is_a_function_whatever_is_imported_first(first: str) -> None:
     assert (

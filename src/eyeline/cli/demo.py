@@ -32,7 +32,7 @@ def demo(
     """Make a film, a picture and a contact sheet of a built-in scene."""
     from eyeline.render.contact import contact_sheet
     from eyeline.render.film import film
-    from eyeline.samples import demo_shot
+    from eyeline.samples.demo_shot import demo_shot
 
     if not output.parent.is_dir() or output.is_file():
         raise FileError(f"{output}: the folder cannot be made; its parent must be a folder, and it no file")

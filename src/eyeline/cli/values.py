@@ -55,11 +55,8 @@ def background_of(text: str) -> Any:
 
 def clip_of(scene: Scene, name: str | None) -> str | int | None:
     """A clip by its name, or by its number where no clip has that name."""
-    if (
-        name is None
-        or name in (clip.name for clip in scene.clips)
-        or not (name.isascii() and name.isdecimal())
-    ):
+    is_number = name is not None and name.isascii() and name.isdecimal()
+    if name is None or not is_number or name in (clip.name for clip in scene.clips):
         return name
     return int(name)
 
