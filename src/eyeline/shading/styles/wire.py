@@ -13,6 +13,7 @@ from eyeline.scene.material import Colour
 from eyeline.shading.attributes import attributes_of, surface_of
 from eyeline.shading.barycentric import corners_of, edges_of, shares_at
 from eyeline.shading.frame import Frame, Strip
+from eyeline.shading.geometry_table import FACES, POINTS
 from eyeline.shading.lanes import NX, NY, NZ, VX, VY, VZ
 
 
@@ -61,9 +62,10 @@ def edge_cover(geometry, faces, xs, ys, half, fading, cover):
         if faces[point] != current:
             current = faces[point]
             surface = surface_of(geometry.first_faces, current, surface)
-            edges, _ = edges_of(
-                geometry, surface, corners_of(geometry, surface, current - geometry.first_faces[surface])
-            )
+            row = geometry.places[surface, FACES] + current - geometry.first_faces[surface]
+            corners = corners_of(geometry.faces, row)
+            first = geometry.places[surface, POINTS]
+            edges, _ = edges_of(geometry.matrices, surface, geometry.points, first, corners)
         shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
         most = 0.0
         for k in range(3):
