@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import trimesh
+from scipy.spatial import cKDTree
 
 from data import data, every
 from eyeline.files import load
@@ -86,3 +88,19 @@ def test_morph_targets_keep_the_names_people_gave_them() -> None:
     assert len(node.mesh.uv) == 2
     assert [material.name for material in node.mesh.materials] == ["Base", "TestMaterial"]
     assert np.bincount(node.mesh.face_material).tolist() == [12, 2400]
+
+
+@pytest.mark.parametrize(
+    "name", ["Duck.glb", "BoxTextured.gltf", "box_animated.gltf", "AlphaBlendModeTest.glb"]
+)
+def test_faces_stand_where_another_reader_puts_them(name: str) -> None:
+    path = data(f"gltf/{name}")
+    triangles = trimesh.load_scene(path).to_mesh().triangles.reshape(-1, 9)
+    ours = []
+    for surface in load(path).surfaces:
+        points = surface.mesh.points @ surface.world_from_mesh[:3, :3].T + surface.world_from_mesh[:3, 3]
+        ours.append(points[surface.mesh.faces].reshape(-1, 9))
+    found, distance = np.concatenate(ours), np.abs(triangles).max()
+    assert found.shape == triangles.shape
+    nearest, _ = cKDTree(triangles).query(found)
+    assert nearest.max() < 1e-6 * distance

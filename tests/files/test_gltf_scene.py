@@ -237,6 +237,7 @@ def test_an_unknown_extension_is_reported_once(tmp_path: Path) -> None:
     builder.json["extensionsUsed"] = ["VENDOR_magic", "KHR_texture_transform", "VENDOR_magic"]
     scene = load(builder.write(tmp_path))
     assert scene.notes == ("the extension 'VENDOR_magic' is not read; the model is drawn without it",)
+    assert scene.extensions == ("VENDOR_magic", "KHR_texture_transform")
 
 
 def test_notes_are_at_most_a_hundred_and_one(tmp_path: Path) -> None:

@@ -32,6 +32,7 @@ class Scene:
     clips: tuple[Animation, ...] = ()
     notes: tuple[str, ...] = ()  # one sentence each: what the file held that is not drawn or was repaired
     name: str = ""
+    extensions: tuple[str, ...] = ()  # of the format, that its file names
 
     def __post_init__(self) -> None:
         """Refuse a tree that is none."""

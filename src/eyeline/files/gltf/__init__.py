@@ -10,7 +10,7 @@ from eyeline.files.gltf.animations import Animations
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.draco import Draco
-from eyeline.files.gltf.extensions import check_extensions
+from eyeline.files.gltf.extensions import checked_extensions
 from eyeline.files.gltf.images import Images
 from eyeline.files.gltf.materials import Materials
 from eyeline.files.gltf.meshes import Meshes
@@ -25,7 +25,7 @@ from eyeline.scene.scene import Scene
 def read(path: Path, wanted: str | int | None = None) -> Scene:
     """The scene of a glTF file: the one wanted, by name or number, or the file's default."""
     document = Document.open(path)
-    check_extensions(document)
+    extensions = checked_extensions(document)
     buffers = Buffers(document)
     accessors = Accessors(document, buffers)
     materials = Materials(document, Textures(document, Images(document, buffers)))
@@ -37,4 +37,4 @@ def read(path: Path, wanted: str | int | None = None) -> Scene:
     clips = Animations(document, accessors, materials.names, tree, still)()
     if not any(node.mesh for node in still.nodes):
         document.notes.add("the scene has no mesh with faces; there is nothing to draw")
-    return replace(still, clips=clips, notes=document.notes.sentences)
+    return replace(still, clips=clips, notes=document.notes.sentences, extensions=extensions)

@@ -21,14 +21,16 @@ KNOWN = (
 )
 
 
-def check_extensions(document: Document) -> None:
-    """Refuse a required extension that is not known; report an optional one."""
+def checked_extensions(document: Document) -> tuple[str, ...]:
+    """All that a file names; a required one that is not known is refused, an optional one reported."""
     for name in document.root.listed("extensionsRequired"):
         if name not in KNOWN:
             raise FileError(
                 f"requires the extension {spoken(name)}, which eyeline does not read;"
                 " export the model without it"
             )
-    for name in document.root.listed("extensionsUsed"):
+    used = document.root.listed("extensionsUsed")
+    for name in used:
         if name not in KNOWN:
             document.notes.add(f"the extension {spoken(name)} is not read; the model is drawn without it")
+    return tuple(dict.fromkeys(name for name in used if isinstance(name, str)))
