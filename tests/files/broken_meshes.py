@@ -104,6 +104,10 @@ LIBRARIES: dict[str, tuple[dict[str, bytes], str]] = {
         library("a.mtl", a_mtl=b"newmtl a\nmap_Kd b.png\n", b_png=bomb_png()),
         r"picture 'b.png' has .*pixels",
     ),
+    "a colour beyond all lamps": (
+        library("a.mtl", a_mtl=b"newmtl a\nKe 1e39 0 0\n"),
+        r"has Ke '1e39'; a number of at most",
+    ),
     "a colour of letters": (library("a.mtl", a_mtl=b"newmtl a\nKd red\n"), r"material 'a' has Kd 'red'"),
 }
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from eyeline.errors import FileError
+from eyeline.files.gltf.limits import LARGEST
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.normals import creased, unit
 from eyeline.geometry.weld import welded
@@ -69,14 +70,14 @@ def scene_of(name: str, meshes: Iterable[Mesh], notes: Iterable[str] = ()) -> Sc
 
 
 def finite_points(values: FloatArray, what: str = "point") -> FloatArray:
-    """Points (V, 3) as float32; refuses the first that is not finite there, naming its row."""
+    """Points (V, 3) as float32; refuses the first that is not finite or beyond any scene, naming its row."""
     with np.errstate(over="ignore", invalid="ignore"):
         points = np.ascontiguousarray(values, dtype=np.float32)
-    bad = ~np.isfinite(points).all(axis=1)
+    bad = ~(np.abs(points) <= LARGEST).all(axis=1)
     if bad.any():
         row = int(np.flatnonzero(bad)[0])
         numbers = " ".join(f"{value:g}" for value in values[row].tolist())
-        raise FileError(f"{what} {row} is {numbers}; finite numbers below 3.4e38 are needed")
+        raise FileError(f"{what} {row} is {numbers}; numbers of at most {LARGEST:g} are needed")
     return points
 
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import PIXELS, PIXELS_PER_BYTE, Allowance
+from eyeline.files.gltf.limits import LARGEST, PIXELS, PIXELS_PER_BYTE, Allowance
 from eyeline.files.meshes.assembly import linear_from_bytes
 from eyeline.files.meshes.beside import beside, picture
 from eyeline.files.meshes.text import shortened, text_of
@@ -168,8 +168,10 @@ def number(words: Sequence[str], key: str) -> float:
         value = float(words[0])
     except (ValueError, IndexError):
         value = math.nan
-    if not math.isfinite(value):
-        raise FileError(f"has {key} {shortened(' '.join(words))!r}; a number is needed")
+    if not abs(value) <= LARGEST:
+        raise FileError(
+            f"has {key} {shortened(' '.join(words))!r}; a number of at most {LARGEST:g} is needed"
+        )
     return value
 
 
