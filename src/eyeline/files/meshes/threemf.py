@@ -99,19 +99,12 @@ def models(data: bytes) -> list[bytes]:
             if not any("3d/3dmodel.model" in name.lower() for name in names):
                 raise FileError("has no part 3D/3dmodel.model; it is no 3MF file")
             return [archive.read(name) for name in names]
-    except (
-        zipfile.BadZipFile,
-        zipfile.LargeZipFile,
-        NotImplementedError,
-        RuntimeError,
-        EOFError,
-        ValueError,
-    ) as error:
-        raise FileError(f"is no 3MF archive that can be unpacked ({error}); export it again") from error
-    except Exception as error:
-        if type(error).__module__ in ("zlib", "lzma", "_lzma"):
-            raise FileError(f"is damaged ({error}); export it again") from error
+    except (MemoryError, FileError):
         raise
+    except Exception as error:
+        # The archive's own errors, and those of each way to pack it
+        reason = shortened((str(error) or type(error).__name__).splitlines()[0], 80)
+        raise FileError(f"is no 3MF archive that can be unpacked ({reason}); export it again") from error
 
 
 def add_outline(outline: Outline, model: bytes) -> None:
