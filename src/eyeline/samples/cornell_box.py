@@ -49,8 +49,8 @@ def cornell_box() -> Scene:
         {WHITE: joined(*map(quad, (FLOOR, CEILING, BACK))), RED: quad(LEFT), GREEN: quad(RIGHT)}, "walls"
     )
     camera = Camera.look_at(metres(EYE), metres(AHEAD), fov=2 * math.atan(SENSOR / (2 * FOCAL_LENGTH)))
-    light = Light("spot", (1.0, 0.82, 0.56), 1.05, inner_cone=0.0, outer_cone=WIDE, name="lamp")
-    walls_glow = Light("point", (1.0, 0.78, 0.60), 0.42, name="what the walls send back")
+    light = Light("spot", (1.0, 0.82, 0.56), 1.5, inner_cone=0.0, outer_cone=WIDE, name="lamp")
+    walls_glow = Light("point", (1.0, 0.78, 0.60), 0.62, name="what the walls send back")
     downwards = tuple(quaternion.from_axis_angle((1, 0, 0), -math.pi / 2).tolist())
     return Scene.of(
         Node("walls", mesh=walls),
