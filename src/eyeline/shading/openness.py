@@ -252,7 +252,8 @@ def look_up(lanes, count, openness):
         u = (m[0, 0] * x + m[0, 1] * y + m[0, 2] * z + m[0, 3]) * per_w
         v = (m[1, 0] * x + m[1, 1] * y + m[1, 2] * z + m[1, 3]) * per_w
         away = m[3, 0] * x + m[3, 1] * y + m[3, 2] * z + m[3, 3]
-        u, v = min(max(u, ZERO), most_u), min(max(v, ZERO), most_v)
+        # Written so that a place at the eye, which is not a number here, falls into the margin
+        u, v = min(u if u > ZERO else ZERO, most_u), min(v if v > ZERO else ZERO, most_v)
         column, row = np.int32(u), np.int32(v)
         right, down = u - np.float32(column), v - np.float32(row)
         a = row * width + column
