@@ -36,11 +36,10 @@ class Function:
 
     @property
     def length(self) -> int:
-        """Lines from `def` to the end, docstring not counted."""
-        lines = (self.node.end_lineno or 0) - self.node.lineno + 1
-        first = self.node.body[0]
-        told = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
-        return lines - ((first.end_lineno or 0) - first.lineno + 1 if told else 0)
+        """Lines of its body, docstring not counted."""
+        told = ast.get_docstring(self.node) is not None
+        begin = self.node.body[0].end_lineno if told else self.node.body[0].lineno - 1
+        return (self.node.end_lineno or 0) - (begin or 0)
 
     @property
     def parameters(self) -> list[ast.arg]:
@@ -49,6 +48,15 @@ class Function:
         rest = [one for one in (arguments.vararg, arguments.kwarg) if one is not None]
         named = [*arguments.posonlyargs, *arguments.args, *arguments.kwonlyargs, *rest]
         return [one for one in named if one.arg not in ("self", "cls")]
+
+    @property
+    def required(self) -> int:
+        """How many parameters a caller must give."""
+        arguments = self.node.args
+        positional = [
+            one for one in (*arguments.posonlyargs, *arguments.args) if one.arg not in ("self", "cls")
+        ]
+        return len(positional) - len(arguments.defaults) + arguments.kw_defaults.count(None)
 
 
 @cache

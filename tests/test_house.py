@@ -11,11 +11,12 @@ import pytest
 
 import house
 
-# The house aims at 300 and 40; these are what no file or function may pass.
-LONGEST_FILE = 350
-LONGEST_FUNCTION = 60
-# A kernel cannot be cut wherever it is long: what is called costs reference counts where it takes arrays.
+LONGEST_FILE = 300  # lines
+LONGEST_FUNCTION = 40  # lines of its body
+# A kernel cannot be cut wherever it is long: a function that takes arrays costs reference counts where it is called.
 LONGEST_KERNEL = 150
+# What can be left out is not counted: the faces of the package offer much and ask for little.
+MOST_PARAMETERS = 6
 
 # What a distribution is called when it is imported.
 IMPORT_NAMES = {"pillow": "PIL"}
@@ -56,6 +57,15 @@ def test_functions_are_short() -> None:
         if function.length > (LONGEST_KERNEL if function.is_compiled else LONGEST_FUNCTION)
     }
     assert long == {}
+
+
+def test_functions_ask_for_few_things() -> None:
+    greedy = {
+        function.place: function.required
+        for function in house.functions()
+        if not function.is_compiled and function.required > MOST_PARAMETERS
+    }
+    assert greedy == {}
 
 
 def test_docstrings_open_with_a_sentence() -> None:
