@@ -13,7 +13,7 @@ import house
 
 LONGEST_FILE = 300  # lines
 LONGEST_FUNCTION = 40  # lines of its body
-# A kernel cannot be cut wherever it is long: a function that takes arrays costs reference counts where it is called.
+# A kernel cannot be cut wherever it is long: calling a function that takes arrays costs reference counts.
 LONGEST_KERNEL = 150
 # What can be left out is not counted: the faces of the package offer much and ask for little.
 MOST_PARAMETERS = 6
