@@ -192,9 +192,7 @@ def main() -> None:
             raise SystemExit(f"{model.name} is no good model: it has no faces")
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     signal.signal(signal.SIGALRM, too_slow)
-    print(
-        json.dumps(run(int(sys.argv[1]), int(sys.argv[2]), models))
-    )
+    print(json.dumps(run(int(sys.argv[1]), int(sys.argv[2]), models)))
 
 
 if __name__ == "__main__":
