@@ -26,7 +26,7 @@ class Floor:
 
 
 def floor_of(scene: Scene, projected: Projected, look: Look, studio: bool) -> Floor | None:
-    """The floor at the lowest point of a scene, or None where there is none to see.
+    """The floor at its height, the lowest point of a scene if it has none, or None where there is none to see.
 
     A camera at or under the floor does not see it.
     """
@@ -34,7 +34,8 @@ def floor_of(scene: Scene, projected: Projected, look: Look, studio: bool) -> Fl
     camera, bounds = projected.camera, scene.bounds
     if not wanted or bounds.is_empty:
         return None
-    down = float(bounds.low[1] - camera.world_from_eye[1, 3])
+    height = bounds.low[1] if look.ground_height is None else look.ground_height
+    down = float(height - camera.world_from_eye[1, 3])
     clip = camera.clip_from_eye(projected.width / projected.height)
     # Columns and rows to the eye's x and y at distance 1 (perspective) or everywhere (orthographic)
     lens = np.array(

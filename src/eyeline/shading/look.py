@@ -19,13 +19,15 @@ class Look:
 
     style: a name in STYLES. background: "studio" (a soft gradient), "transparent", or a linear colour.
     ground: the studio floor that takes the shadow; "auto": where the scene has no light of its own and
-    the background is "studio". exposure: stops, each doubles the light. tone: "neutral" rolls highlights off
+    the background is "studio". ground_height: of that floor, metres; None is the lowest point there is.
+    exposure: stops, each doubles the light. tone: "neutral" rolls highlights off
     and keeps colours below them; "none" clips.
     """
 
     style: str = "shaded"
     background: Literal["studio", "transparent"] | Colour = "studio"
     ground: Ground = "auto"
+    ground_height: float | None = None
     exposure: float = 0.0
     tone: Tone = "neutral"
     shadows: bool = True
@@ -35,6 +37,8 @@ class Look:
         """Refuse what no picture can show."""
         if not math.isfinite(self.exposure):
             raise OptionError(f"exposure is {self.exposure}; a finite number of stops is needed")
+        if self.ground_height is not None and not math.isfinite(self.ground_height):
+            raise OptionError(f"ground_height is {self.ground_height}; a finite number of metres is needed")
         if not 0 <= self.occlusion <= 1:
             raise OptionError(f"occlusion is {self.occlusion}; 0 to 1 is needed")
         if self.ground not in ("auto", "on", "off"):
