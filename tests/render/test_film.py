@@ -62,6 +62,12 @@ def test_a_camera_of_the_scene_moves_with_its_node(sliding: el.Scene) -> None:
     assert red(film[0].pixels).any()
 
 
+def test_the_floor_stays_where_the_scene_is_lowest(falling: el.Scene) -> None:
+    film = el.film(falling, fps=4, **SMALL)
+    assert film._steady_shot.look.ground_height == pytest.approx(-0.75)
+    assert el.film(falling, ground_height=-3, **SMALL)._steady_shot.look.ground_height == -3
+
+
 def test_a_turntable_goes_around_once(sliding: el.Scene) -> None:
     still = replace(sliding, clips=())
     film = el.film(still, fps=4, turntable=2, **SMALL)

@@ -6,8 +6,9 @@ import os
 import subprocess
 import sys
 
-import data
 import pytest
+
+import data
 
 PROGRAM = """
 import sys

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 Progress = Callable[[int, int], None]  # frames done, frames in all
 
 MOST_FRAMES = 10_000_000
-FRAMING_POSES = 9  # at how many times a film looks where the scene moves, to frame all of it
+FRAMING_POSES = 49  # at how many frames a film looks where the scene moves, to frame all of it
 
 
 def film(
@@ -97,7 +97,7 @@ class Film:
             raise IndexError(f"there is no frame {number}; the film has {len(self)}")
         time = self.times[number]
         posed = self.scene.at(float(time), self.shot.clip)
-        return picture(posed, self._camera(posed, float(time)), self.shot)
+        return picture(posed, self._camera(posed, float(time)), self._steady_shot)
 
     def __iter__(self) -> Iterator[Image]:
         return (self[number] for number in range(len(self)))
@@ -146,7 +146,7 @@ class Film:
 
         return player(self)
 
-    # --- the camera -------------------------------------------------------------------------------------
+    # --- what holds still -------------------------------------------------------------------------------------
 
     def _camera(self, posed: Scene, time: float) -> Camera:
         camera = self._steady_camera or chosen_camera(posed, self.shot.camera, self._aspect)
@@ -163,11 +163,19 @@ class Film:
         return chosen_camera(self.scene, self.shot.camera, self._aspect, self._bounds)
 
     @cached_property
+    def _steady_shot(self) -> Shot:
+        """The shot with the studio floor where the scene is lowest in the whole film."""
+        look = self.shot.look
+        if look.ground == "off" or look.ground_height is not None or self._bounds.is_empty:
+            return self.shot
+        return replace(self.shot, look=replace(look, ground_height=float(self._bounds.low[1])))
+
+    @cached_property
     def _bounds(self) -> Bounds:
         """The box around the scene over the whole film, so that its frame does not move with it."""
         bounds = Bounds.empty()
-        for time in np.unique(np.linspace(self.start, self.end, FRAMING_POSES)):
-            bounds = bounds.union(self.scene.at(float(time), self.shot.clip).bounds)
+        for number in np.unique(np.linspace(0, len(self) - 1, FRAMING_POSES).round().astype(int)):
+            bounds = bounds.union(self.scene.at(float(self.times[number]), self.shot.clip).bounds)
         return bounds
 
     @property

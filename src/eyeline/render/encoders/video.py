@@ -91,7 +91,11 @@ class VideoSink:
         bottom, right = self._stream.height - pixels.shape[0], self._stream.width - pixels.shape[1]
         if bottom or right:
             pixels = np.pad(pixels, ((0, bottom), (0, right), (0, 0)), mode="edge")
-        frame = av.VideoFrame.from_ndarray(Image(pixels).opaque, format="rgb24")
+        image = Image(pixels)
+        if image.is_opaque:
+            frame = av.VideoFrame.from_numpy_buffer(np.ascontiguousarray(pixels), format="rgba")
+        else:
+            frame = av.VideoFrame.from_ndarray(image.opaque, format="rgb24")
         frame = frame.reformat(format=self._format, dst_colorspace=BT709)
         frame.pts = number
         frame.time_base = 1 / self._stream.codec_context.framerate
