@@ -14,6 +14,8 @@ from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.bounds import Bounds
 
 SENSOR_HEIGHT = 0.024  # metres: the 24 mm of a 36 x 24 film frame
+THREE_QUARTER = (0.55, 0.38, 1.0)  # where the eye stands that frames a scene, seen from its middle
+FILLED = 0.8  # of the picture's width or height, by what is framed
 NEAR_PART = 1e-3  # the near plane of a camera without one, as a part of the scene's diagonal
 
 
@@ -80,14 +82,21 @@ class Camera:
 
     @classmethod
     def framing(cls, bounds: Bounds, aspect: float = 16 / 9) -> Camera:
-        """A three-quarter view from the front right and above that holds all of `bounds`."""
+        """A three-quarter view from the front right and above, as near as holds all of `bounds`."""
         fov = math.radians(30)
-        radius = bounds.diagonal / 2 or 1.0
-        narrow = 2 * math.atan(math.tan(fov / 2) * min(1.0, aspect))
-        distance = 1.05 * radius / math.sin(narrow / 2)
-        direction = np.array([0.55, 0.38, 1.0])
-        eye = bounds.centre + direction * (distance / np.sqrt((direction**2).sum()))
-        return cls.look_at(eye, bounds.centre, fov=fov, name="three-quarter view")
+        axes = transform.look_at(THREE_QUARTER, (0, 0, 0))[:3, :3]
+        points = (bounds.corners - bounds.centre if bounds.diagonal else np.eye(3)) @ axes
+        eye = np.zeros(3)
+        # On either axis, the eye lies between the planes through the outermost points
+        for axis, tangent in ((0, math.tan(fov / 2) * aspect * FILLED), (1, math.tan(fov / 2) * FILLED)):
+            highest = (points[:, axis] + points[:, 2] * tangent).max()
+            lowest = (points[:, axis] - points[:, 2] * tangent).min()
+            eye[axis] = (highest + lowest) / 2
+            eye[2] = max(eye[2], (highest - lowest) / (2 * tangent))
+        place = transform.identity()
+        place[:3, :3] = axes
+        place[:3, 3] = bounds.centre + axes @ eye
+        return cls(fov, world_from_eye=place, name="three-quarter view")
 
     @property
     def focal_length(self) -> float | None:

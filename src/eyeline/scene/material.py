@@ -38,8 +38,10 @@ class Material:
         """Refuse numbers outside their range."""
         for name in ("metallic", "roughness", "occlusion_strength"):
             if not 0 <= getattr(self, name) <= 1:
-                raise GeometryError(f"material {self.name!r}: {name} is {getattr(self, name)}; 0 to 1 is needed")
-        if len(self.base_color) != 4 or not all(0 <= channel for channel in self.base_color):
+                raise GeometryError(
+                    f"material {self.name!r}: {name} is {getattr(self, name)}; 0 to 1 is needed"
+                )
+        if len(self.base_color) != 4 or not all(channel >= 0 for channel in self.base_color):
             raise GeometryError(
                 f"material {self.name!r}: base_color is {self.base_color}; four numbers from 0 are needed"
             )

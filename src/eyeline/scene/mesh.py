@@ -80,7 +80,9 @@ class Mesh:
         faces = index_rows(faces, 3, count, "face")
         materials = tuple(materials) or (material or DEFAULT,)
         if face_material is not None:
-            face_material = index_rows(np.reshape(face_material, (-1, 1)), 1, len(materials), "face_material")[:, 0]
+            face_material = index_rows(
+                np.reshape(face_material, (-1, 1)), 1, len(materials), "face_material"
+            )[:, 0]
             _same_length("face_material", face_material, "face", len(faces))
         optional = {
             "normals": None if normals is None else float_rows(normals, 3, "normal"),
