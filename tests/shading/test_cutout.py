@@ -125,5 +125,16 @@ def test_a_scene_without_masks_is_the_method_s_own_answer() -> None:
     assert "alpha tests" not in visible.work
 
 
+def test_areas_have_holes() -> None:
+    """Behind its holes stands another sheet, which does not hide it."""
+    masked, solid = sheet(2.0, CHECKS).changed(name="masked"), sheet(5.0, mode="opaque").changed(name="solid")
+    seen_both = seen(masked, solid)
+    area = seen_both.area("masked")
+    assert (area.pixels, area.unoccluded_pixels, dict(area.occluders)) == (512, 512, {})
+    behind = seen_both.area("solid")
+    assert (behind.pixels, behind.unoccluded_pixels, dict(behind.occluders)) == (512, 1024, {"masked": 512})
+    assert seen_both.method.name == "zbuffer"
+
+
 def test_the_work_of_alpha_tests_is_counted() -> None:
     assert seen(sheet(2.0, CHECKS)).work["alpha tests"] == 32 * 32

@@ -242,6 +242,14 @@ def test_every_surface_adds_its_veil_seen_or_hidden(count: int) -> None:
     assert np.abs(picture[16, 24, :3] - shown_through(style, count, style.on_dark)).max() <= 1.001
 
 
+def test_glass_has_a_far_wall() -> None:
+    """A single-sided face seen from behind is culled in other styles."""
+    mesh = square(3.0).with_material(Material(double_sided=False))
+    away = Scene.of(mesh.changed(faces=mesh.faces[:, ::-1].copy()))
+    assert drawn(away, XRay(), background="transparent")[16, 24, 3] == round(255 * XRay().veil)
+    assert drawn(away, Normal(), background="transparent")[16, 24, 3] == 0
+
+
 def test_a_surface_seen_edge_on_is_denser() -> None:
     style = XRay()
     flat = drawn(Scene.of(square(3.0)), style, background="transparent")[16, 24, 3]
@@ -272,6 +280,13 @@ def test_light_has_a_few_tones(tilt: float, tone: int) -> None:
     picture = drawn(scene, style, background=BACKDROP, shadows=False)
     expected = 255 * srgb_from_linear(np.array(style.tones[tone]) * CHALK.base_color[:3])
     assert np.abs(picture[16, 24, :3] - expected).max() <= 1.001
+
+
+def test_unlit_materials_keep_their_colour_in_any_light() -> None:
+    sign = Material(base_color=(0.5, 0.25, 0.125, 1.0), unlit=True)
+    scene = Scene.of(square(3.0, tilt=40.0).with_material(sign), SUN)
+    picture = drawn(scene, Toon(), background=BACKDROP)
+    assert np.abs(picture[16, 24, :3] - 255 * srgb_from_linear(np.array(sign.base_color[:3]))).max() <= 1.001
 
 
 def test_what_lies_in_shadow_has_the_darkest_tone() -> None:

@@ -34,6 +34,7 @@ class Projected:
     camera: Camera  # with near and far
     width: int
     height: int
+    shift: tuple[int, int] = (0, 0)  # of the samples beside the pixels' centres, 1/256 pixel
 
     @cached_property
     def clip_from_world(self) -> FloatArray:
@@ -53,4 +54,5 @@ class Projected:
 
     def shifted(self, dx: int, dy: int) -> Projected:
         """The same picture sampled dx, dy (1/256 pixel) beside the pixels' centres."""
-        return replace(self, xy=self.xy - np.array([dx, dy], dtype=np.int32))
+        xy = self.xy - np.array([dx, dy], dtype=np.int32)
+        return replace(self, xy=xy, shift=(self.shift[0] + dx, self.shift[1] + dy))

@@ -6,12 +6,12 @@ fragments; at every sample the nearest one that is no hole stands against the me
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from eyeline.geometry.arrays import BoolArray, FloatArray
+from eyeline.geometry.arrays import BoolArray
 from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
@@ -22,7 +22,7 @@ from eyeline.shading.lanes import COVER
 from eyeline.shading.look import Look
 from eyeline.shading.surface_points import GRID, SurfacePoints
 from eyeline.visibility.fragments import Fragments, fragments
-from eyeline.visibility.method import Method, Visible
+from eyeline.visibility.method import Method, Step, Visible
 
 CHUNK = 1 << 15  # fragments whose texture is looked up together
 
@@ -42,41 +42,61 @@ def see(
     see_through: faces of alpha mode "blend" are left out, to be composited over the answer; otherwise they
     are solid.
     """
-    masked, blended = has(projected.surfaces, "mask"), see_through and has(projected.surfaces, "blend")
-    wanted = np.ones(projected.face_count, bool)
-    if masked:
-        wanted &= ~faces_of(projected.surfaces, "mask")
-    if blended:
-        wanted &= ~faces_of(projected.surfaces, "blend")
-    solid = projected.only(wanted) if masked or blended else projected
-    answers = [(replace(method(solid.shifted(dx, dy)), scene=scene), dx, dy) for dx, dy in shifts]
-    if not masked:
-        return answers
-    frame = Frame(scene, projected, (), Look())
-    return [(through_holes(visible, frame, dx, dy), dx, dy) for visible, dx, dy in answers]
+    if see_through and has(projected.surfaces, "blend"):
+        projected = projected.only(~faces_of(projected.surfaces, "blend"))
+    if has(projected.surfaces, "mask"):
+        method = CutOut(method, Frame(scene, projected, (), Look()))
+    return [(replace(method(projected.shifted(dx, dy)), scene=scene), dx, dy) for dx, dy in shifts]
 
 
-def through_holes(solid: Visible, frame: Frame, dx: int, dy: int) -> Visible:
-    """The answer about solid faces, with masked faces of the frame in front of it but for their holes."""
-    projected = frame.projected
-    cutoffs = cutoffs_of(projected.surfaces)
-    masked = projected.only(faces_of(projected.surfaces, "mask")).shifted(dx, dy)
-    # A masked face at the very depth of a solid one counts if its number is lower, so it must be listed
-    found = fragments(masked, np.nextafter(solid.depth, np.float32(0)))
-    face, depth = found.only(is_there(frame, found, cutoffs, (dx, dy))).nearest()
-    nearer = (depth > solid.depth) | ((depth == solid.depth) & (depth > 0) & (face < solid.face))
-    return replace(
-        solid,
-        face=np.where(nearer, face, solid.face),
-        depth=np.where(nearer, depth, solid.depth),
-        projected=projected.shifted(dx, dy),
-        work={**solid.work, "alpha tests": len(found)},
-    )
+@dataclass(frozen=True, eq=False)
+class CutOut:
+    """A method that sees through holes: another one, and the picture whose textures say where they are."""
+
+    method: Method
+    frame: Frame
+
+    @property
+    def name(self) -> str:
+        """The other method's."""
+        return self.method.name
+
+    @property
+    def space(self) -> str:
+        """The other method's."""
+        return self.method.space
+
+    @property
+    def answers(self) -> bool:
+        """The other method's."""
+        return self.method.answers
+
+    def __call__(self, projected: Projected) -> Visible:
+        """The other's answer about solid faces, with the masked ones in front of it but for their holes."""
+        masks = faces_of(projected.surfaces, "mask")
+        solid = self.method(projected.only(~masks))
+        # A masked face at the very depth of a solid one counts if its number is lower, so it must be listed
+        found = fragments(projected.only(masks), np.nextafter(solid.depth, np.float32(0)))
+        face, depth = found.only(is_there(self.frame, found, projected.shift)).nearest()
+        nearer = (depth > solid.depth) | ((depth == solid.depth) & (depth > 0) & (face < solid.face))
+        return replace(
+            solid,
+            face=np.where(nearer, face, solid.face),
+            depth=np.where(nearer, depth, solid.depth),
+            projected=projected,
+            method=self,
+            work={**solid.work, "alpha tests": len(found)},
+        )
+
+    def steps(self, projected: Projected) -> Iterator[Step]:
+        """The other's, of all faces as solid ones."""
+        return self.method.steps(projected)
 
 
-def is_there(frame: Frame, found: Fragments, cutoffs: FloatArray, shift: Shift) -> BoolArray:
+def is_there(frame: Frame, found: Fragments, shift: Shift) -> BoolArray:
     """(K,) whether the surface is there at each fragment: its alpha reaches its face's cutoff."""
     there = np.empty(len(found), bool)
+    cutoffs = cutoffs_of(frame.projected.surfaces)
     pixels, width = found.pixel, found.width
     dx, dy = (0.5 + part / GRID for part in shift)
 

@@ -21,6 +21,7 @@ from eyeline.shading.lanes import (
     NZ,
     RED,
     ROUGHNESS,
+    UNLIT,
     VX,
     VZ,
     X,
@@ -83,10 +84,10 @@ class Toon:
         to_light = towards(stage, light, lanes)
         normals, to_eye = lanes[NX : NZ + 1], lanes[VX : VZ + 1]
         level = (normals * to_light).sum(axis=0) * lanes[LIT]
-        tone = self.tone(level)
+        tone = np.where(lanes[UNLIT] > 0, 1, self.tone(level))
         half = to_light + to_eye
         half /= np.sqrt((half**2).sum(axis=0))
-        shiny = (lanes[ROUGHNESS] < self.spot_roughness) * (level > self.steps[-1])
+        shiny = (lanes[ROUGHNESS] < self.spot_roughness) & (level > self.steps[-1]) & (lanes[UNLIT] == 0)
         spot = rising((normals * half).sum(axis=0), self.spot, 0.2 * (1 - self.spot)) * shiny * 0.55
         colour = np.empty((count, 4), np.float32)
         lit = lanes[RED : BLUE + 1] * tone + lanes[EMISSIVE_RED : EMISSIVE_BLUE + 1]

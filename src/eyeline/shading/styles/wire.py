@@ -46,9 +46,10 @@ class Wire:
             facing = np.clip(lanes[NX] * lanes[VX] + lanes[NY] * lanes[VY] + lanes[NZ] * lanes[VZ], 0, 1)
             light = self.shade + (1 - self.shade) * facing
             colour = np.ones((len(points), 4), np.float32)
+            # Mixed in square roots, nearly as we see, so that a line between pixels is as dark as one on them
             for k in range(3):
-                paper = light * self.paper[k]
-                colour[:, k] = paper + (self.ink[k] - paper) * cover
+                paper = np.sqrt(light * self.paper[k])
+                colour[:, k] = (paper + (math.sqrt(self.ink[k]) - paper) * cover) ** 2
             return colour
 
         return frame.drawn(colour_of)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray
+from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.scene.material import Colour
 from eyeline.shading.attributes import attributes_of
 from eyeline.shading.frame import Frame, Strip
@@ -36,7 +37,8 @@ class XRay:
 
     def __call__(self, frame: Frame) -> ByteArray:
         """The picture (H, W, 4)."""
-        stack = stacked(frame, np.ones(frame.projected.face_count, bool), through=True)
+        every = np.ones(frame.projected.face_count, bool)
+        stack = stacked(replace(frame, projected=both_sides(frame.projected)), every, through=True)
         empty = replace(frame, visibles=[(nothing_of(visible), dx, dy) for visible, dx, dy in frame.visibles])
         colour = self.on_light if is_light(frame.backdrop) else self.on_dark
 
@@ -57,6 +59,12 @@ class XRay:
         edge_on = 1 - np.minimum(facing, 1)
         opacity: FloatArray = self.veil + (self.rim - self.veil) * edge_on**self.sharpness
         return opacity.astype(np.float32)
+
+
+def both_sides(projected: Projected) -> Projected:
+    """The same picture, its faces drawn from behind too: glass has a far wall."""
+    sides = np.where(projected.sides > 0, COUNTER_CLOCKWISE | CLOCKWISE, 0)
+    return replace(projected, sides=sides.astype(np.uint8))
 
 
 def nothing_of(visible: Visible) -> Visible:
