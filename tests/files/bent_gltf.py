@@ -192,7 +192,7 @@ def deep(depth: int) -> bytes:
 
 def long_paths() -> dict[str, Any]:
     """A chain of nodes whose path names would fill gigabytes."""
-    nodes: list[dict[str, Any]] = [{"children": [number + 1], "name": "n" * 40} for number in range(20_000)]
+    nodes: list[dict[str, Any]] = [{"children": [number + 1], "name": "n" * 40} for number in range(3_000)]
     return {"asset": {"version": "2.0"}, "nodes": [*nodes, {}], "scenes": [{"nodes": [0]}]}
 
 
