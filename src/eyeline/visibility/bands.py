@@ -8,11 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, depth_at, edge_bias
+from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_at, edge_bias
 from eyeline.jit import helper, kernel
 from eyeline.visibility.binning import BAND_BITS, BLOCK, make_key
 
+ROWS = 1 << BAND_BITS
 LANES = 16  # pixels of a row that are drawn at once
+FAR = 32768.0  # pixels: farther than any picture is wide
+LEVEL = 1048576.0  # stands for 1 / 0 at a level edge: half a unit outside it is then farther than FAR
 
 
 @kernel
@@ -23,29 +26,29 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
     """
     ends, previous, pixels, keys, corners, planes, sources = scratch
     width, height = size
-    buffer = np.empty((width << BAND_BITS) + 4 * LANES, np.int64)
+    buffer = np.empty(width * ROWS + 2 * LANES, np.int64)
+    spans = np.empty(2 * ROWS, np.int32)
     tests = 0
     for band in range(part, ((height - 1) >> BAND_BITS) + 1, parts):
         row0 = band << BAND_BITS
-        row1 = min(height, row0 + (1 << BAND_BITS)) - 1
+        row1 = min(height, row0 + ROWS) - 1
         buffer[:] = 0
-        for source in range(ends.shape[0]):
-            own_pixels, own_keys = pixels[source], keys[source]
-            own_corners, own_planes, own_sources = corners[source], planes[source], sources[source]
-            end = ends[source, band]
+        for binned in range(ends.shape[0]):
+            own_pixels, own_keys = pixels[binned], keys[binned]
+            own_corners, own_planes, own_sources = corners[binned], planes[binned], sources[binned]
+            end = ends[binned, band]
             while end > 0:
                 begin = (end - 1) & -BLOCK
                 for j in range(begin, end):
                     if own_pixels[j] >= 0:
-                        o = np.uint32(((own_pixels[j] >> 16) - row0) * width + (own_pixels[j] & 65535))
-                        buffer[o] = max(buffer[o], own_keys[j])
+                        at = np.uint32(((own_pixels[j] >> 16) - row0) * width + (own_pixels[j] & 65535))
+                        buffer[at] = max(buffer[at], own_keys[j])
+                        tests += 1
                     else:
-                        tests -= 1
-                        tests += draw_record(
-                            own_keys[j], own_corners, own_planes, own_sources, buffer, row0, row1, width
-                        )
-                tests += end - begin
-                end = previous[source, begin // BLOCK]
+                        record = own_keys[j]
+                        box = set_spans(record, own_corners, width, row0, row1, spans)
+                        tests += draw_spans(record, own_planes, own_sources, box, spans, buffer, row0, width)
+                end = previous[binned, begin // BLOCK]
         finish(buffer, depth_bits[row0 * width : (row1 + 1) * width], face[row0 * width : (row1 + 1) * width])
     return tests
 
@@ -60,77 +63,87 @@ def finish(buffer, depth_bits, face):
 
 
 @helper
-def draw_record(record, corners, planes, sources, buffer, row0, row1, width):
-    """Draw a record's face on rows row0..row1, which are in the buffer; how many pixels it covers there."""
+def set_spans(record, corners, width, row0, row1, spans):
+    """The box of a record's face on rows row0..row1, and the first and last pixel of each of its rows.
+
+    spans: from the box's left; the first of row r at r, the last at ROWS + r.
+    """
     x0, y0 = np.int64(corners[6 * record]), np.int64(corners[6 * record + 1])
     x1, y1 = np.int64(corners[6 * record + 2]), np.int64(corners[6 * record + 3])
     x2, y2 = np.int64(corners[6 * record + 4]), np.int64(corners[6 * record + 5])
-    a, b, c = planes[3 * record], planes[3 * record + 1], planes[3 * record + 2]
-    left, right = (min(x0, x1, x2) + BEFORE_CENTRE) >> 8, ((max(x0, x1, x2) + BEFORE_CENTRE) >> 8) - 1
-    top, bottom = (min(y0, y1, y2) + BEFORE_CENTRE) >> 8, ((max(y0, y1, y2) + BEFORE_CENTRE) >> 8) - 1
-    narrow = (right - left < LANES) & (bottom - top < 64)
-    left, right, top, bottom = max(left, 0), min(right, width - 1), max(top, row0), min(bottom, row1)
-    cx, cy = left * 256 + CENTRE, top * 256 + CENTRE
-    a0, b0, a1, b1, a2, b2 = y1 - y2, x2 - x1, y2 - y0, x0 - x2, y0 - y1, x1 - x0
-    e0 = a0 * (cx - x1) + b0 * (cy - y1) + edge_bias(a0, b0)
-    e1 = a1 * (cx - x2) + b1 * (cy - y2) + edge_bias(a1, b1)
-    e2 = a2 * (cx - x0) + b2 * (cy - y0) + edge_bias(a2, b2)
-    a0, b0, a1, b1, a2, b2 = a0 * 256, b0 * 256, a1 * 256, b1 * 256, a2 * 256, b2 * 256
-    source, pixels = sources[record], 0
-    if narrow:
-        f0, f1, f2 = np.int32(e0), np.int32(e1), np.int32(e2)
-        s0, s1, s2 = np.int32(a0), np.int32(a1), np.int32(a2)
-        last, fx = np.int32(right - left), np.float64(left)
-        for y in range(top, bottom + 1):
-            at = (y - row0) * width + left
+    left = max((min(x0, x1, x2) + BEFORE_CENTRE) >> 8, 0)
+    right = min(((max(x0, x1, x2) + BEFORE_CENTRE) >> 8) - 1, width - 1)
+    top = max((min(y0, y1, y2) + BEFORE_CENTRE) >> 8, row0)
+    bottom = min(((max(y0, y1, y2) + BEFORE_CENTRE) >> 8) - 1, row1)
+    cx, cy, most = left * UNITS + CENTRE, top * UNITS + CENTRE, right - left
+    e0, b0, lower0, begin0, upper0, end0 = bounds(x1, y1, x2, y2, cx, cy, most)
+    e1, b1, lower1, begin1, upper1, end1 = bounds(x2, y2, x0, y0, cx, cy, most)
+    e2, b2, lower2, begin2, upper2, end2 = bounds(x0, y0, x1, y1, cx, cy, most)
+    # Eight rows at a time, without branches: the loop becomes vector instructions
+    for r in range((bottom - top + 8) & -8):
+        f0, f1, f2 = e0 + b0 * np.float64(r), e1 + b1 * np.float64(r), e2 + b2 * np.float64(r)
+        low = greater(greater(f0 * lower0 + begin0, f1 * lower1 + begin1), f2 * lower2 + begin2)
+        high = lesser(lesser(f0 * upper0 + end0, f1 * upper1 + end1), f2 * upper2 + end2)
+        # No bound is whole, so that cutting off its fraction rounds one up and the other down
+        spans[r] = np.int32(lesser(greater(low, -0.5), FAR) + 1.0)
+        spans[ROWS + r] = np.int32(greater(high, -0.5) + 1.0) - np.int32(1)
+    return left, right, top, bottom
+
+
+@helper
+def bounds(x0, y0, x1, y1, cx, cy, most):
+    """What an edge that leads clockwise demands of pixels right of and below the centre (cx, cy).
+
+    (e, b, lower, begin, upper, end): r rows below, with f = e + b r, a pixel i to the right is inside from
+    f lower + begin to f upper + end, of which one is the edge's and the other beyond the box. All is exact:
+    e has half a unit more than the edge function, so that no quotient is whole, and none is rounded to the
+    other side of a whole number.
+    """
+    a, b = y0 - y1, x1 - x0
+    e = np.float64(a * (cx - x0) + b * (cy - y0) + edge_bias(a, b)) + 0.5
+    inverse = -1.0 / np.float64(a * UNITS) if a != 0 else -LEVEL
+    down = np.float64(b * UNITS)
+    rises = a >= 0
+    lower, begin = (inverse if rises else 0.0), (0.0 if rises else -0.5)
+    upper, end = (0.0 if rises else inverse), (np.float64(most) + 0.5 if rises else 0.0)
+    return e, down, lower, begin, upper, end
+
+
+@helper
+def draw_spans(record, planes, sources, box, spans, buffer, row0, width):
+    """Draw a record's face where its spans are; how many pixels that is."""
+    a, b, c, source = planes[3 * record], planes[3 * record + 1], planes[3 * record + 2], sources[record]
+    left, right, top, bottom = box
+    pixels, narrow = 0, right - left < LANES
+    for y in range(top, bottom + 1):
+        low, high = np.int64(spans[y - top]), np.int64(spans[ROWS + y - top])
+        if low > high:
+            continue
+        pixels += high - low + 1
+        at = (y - row0) * width + left
+        if narrow:
+            # One step from the box's left: its number of lanes is known, nothing is left over
+            first, last, x = np.int32(low), np.int32(high), np.float64(left)
             row = buffer[at : at + LANES]
             for i in range(LANES):
-                inside = (
-                    np.int32(
-                        np.int32(f0 + np.int32(np.int32(i) * s0))
-                        | np.int32(f1 + np.int32(np.int32(i) * s1))
-                        | np.int32(f2 + np.int32(np.int32(i) * s2))
-                    )
-                    >= 0
-                ) & (np.int32(i) <= last)
-                key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
-                row[i] = max(row[i], key if inside else np.int64(0))
-                pixels += inside
-            f0, f1, f2 = np.int32(f0 + b0), np.int32(f1 + b1), np.int32(f2 + b2)
-    else:
-        s0, s1, s2 = np.float64(a0), np.float64(a1), np.float64(a2)
-        i0, i1, i2 = inverse(s0), inverse(s1), inverse(s2)
-        # Half a unit more: no quotient is whole then, and none is rounded to the other side of a whole number
-        g0, g1, g2 = np.float64(e0) + 0.5, np.float64(e1) + 0.5, np.float64(e2) + 0.5
-        for y in range(top, bottom + 1):
-            low, high = narrowed(g0, s0, i0, 0.0, np.float64(right - left))
-            low, high = narrowed(g1, s1, i1, low, high)
-            low, high = narrowed(g2, s2, i2, low, high)
-            g0, g1, g2 = g0 + np.float64(b0), g1 + np.float64(b1), g2 + np.float64(b2)
-            if low > high:
-                continue
-            x = left + np.int64(low)
-            fx = np.float64(x)
-            last = np.int32(high - low)
-            pixels += np.int64(last) + 1
-            at = (y - row0) * width + x
-            row = buffer[at : at + ((np.int64(last) + 16) & -16)]
+                key = make_key(depth_at(a, b, c, x + np.float64(np.int32(i)), y), source)
+                row[i] = max(row[i], key if (np.int32(i) >= first) & (np.int32(i) <= last) else np.int64(0))
+        else:
+            last, x = np.int32(high - low), np.float64(left + low)
+            row = buffer[at + low : at + low + ((high - low + LANES) & -LANES)]
             for i in range(row.shape[0]):
-                key = make_key(depth_at(a, b, c, fx + np.float64(np.int32(i)), y), source)
+                key = make_key(depth_at(a, b, c, x + np.float64(np.int32(i)), y), source)
                 row[i] = max(row[i], key if np.int32(i) <= last else np.int64(0))
     return pixels
 
 
 @helper
-def inverse(a):
-    """1 / a; 0 for 0."""
-    return 1.0 / a if a != 0.0 else 0.0
+def greater(a, b):
+    """The greater of two numbers, none of which is NaN: one instruction."""
+    return a if a > b else b
 
 
 @helper
-def narrowed(e, a, inverse, low, high):
-    """low..high, narrowed to the i with e + a i > 0."""
-    q = -e * inverse
-    low = max(low, np.ceil(q)) if a > 0 else low
-    high = min(high, np.floor(q)) if a < 0 else high
-    return low, (-1.0 if (a == 0) & (e < 0) else high)
+def lesser(a, b):
+    """The lesser of two numbers, none of which is NaN: one instruction."""
+    return a if a < b else b
