@@ -146,7 +146,7 @@ class Film:
 
         return player(self)
 
-    # --- what holds still -------------------------------------------------------------------------------------
+    # --- what holds still -------------------------------------------------------------------------------
 
     def _camera(self, posed: Scene, time: float) -> Camera:
         camera = self._steady_camera or chosen_camera(posed, self.shot.camera, self._aspect)
