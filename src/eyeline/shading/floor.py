@@ -26,7 +26,7 @@ class Floor:
 
 
 def floor_of(scene: Scene, projected: Projected, look: Look, studio: bool) -> Floor | None:
-    """The floor at its height, the lowest point of a scene if it has none, or None where there is none to see.
+    """The floor at its height, else at the lowest point of a scene; None where there is none to see.
 
     A camera at or under the floor does not see it.
     """
