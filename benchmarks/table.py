@@ -22,11 +22,11 @@ def table() -> str:
     """The rows of every program as a Markdown table, and the machine in a sentence."""
     rows = results.load()
     names = [name for name in ORDER if name in rows] + [name for name in rows if name not in ORDER]
-    lines = ["| what | eyeline | peer | ratio | bar |", "|---|--:|--:|--:|--:|"]
+    lines = ["| what | eyeline | peer | eyeline / peer | bar |", "|---|--:|--:|--:|--:|"]
     for row in (row for name in names for row in rows[name]):
-        peer = "" if row.theirs is None else f"{row.against} {row.theirs:.3g} {row.unit}"
+        peer = "" if row.theirs is None else f"{figure(row.theirs)} {row.unit}, {row.against}"
         lines.append(
-            f"| {row.what} | {row.ours:.3g} {row.unit} | {peer} | {results.ratio(row)} | {row.bar} |"
+            f"| {row.what} | {figure(row.ours)} {row.unit} | {peer} | {results.ratio(row)} | {row.bar} |"
         )
     machine = results.machine()
     lines += [
@@ -36,6 +36,11 @@ def table() -> str:
         f" Python {machine['python']}, numpy {machine['numpy']}, numba {machine['numba']}.",
     ]
     return "\n".join(lines)
+
+
+def figure(number: float) -> str:
+    """Three digits of it, or all before the point."""
+    return f"{number:,.0f}" if number >= 100 else f"{number:.3g}"
 
 
 if __name__ == "__main__":
