@@ -441,7 +441,7 @@ BROKEN: tuple[Broken, ...] = (
     Broken(
         "a chain of growing nodes",
         growing,
-        r"node 'node 2' is moved or scaled beyond 1e\+18 metres; export it smaller",
+        r"node 'node 2' is moved or scaled beyond 1e\+18 metres; shrink it",
     ),
     Broken(
         "rotation too long",

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -62,3 +64,16 @@ def test_suffixes_in_capitals_are_the_same_suffixes(tmp_path: Path) -> None:
     builder.node(mesh=builder.square())
     (tmp_path / "MODEL.GLB").write_bytes(builder.glb())
     assert load(tmp_path / "MODEL.GLB").face_count == 2
+
+
+def test_reading_does_not_wait_for_the_compiler(tmp_path: Path) -> None:
+    builder = Builder()
+    builder.node(mesh=builder.square())
+    program = f"""
+import sys
+from eyeline.files import load
+load({str(builder.write(tmp_path))!r})
+print("numba" in sys.modules)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "False\n"

@@ -23,7 +23,6 @@ from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
-from eyeline.scene.scene import Scene
 from eyeline.scene.skin import Skin
 
 TURN = 1e-2  # how far from one the length of a rotation may be before it is reported
@@ -110,13 +109,16 @@ class Nodes:
 
 def check_reach(nodes: Sequence[Node]) -> None:
     """Refuse nodes that stand farther out, or are larger, than anything is."""
+    # Reading a file must not wait for kernels to compile: Scene.world would
+    placed: list[FloatArray] = []
     with np.errstate(over="ignore", invalid="ignore"):
-        world = Scene(tuple(nodes)).world
-    for node, matrix in zip(nodes, world, strict=True):
-        if not (np.abs(matrix) <= LARGEST).all():
-            raise FileError(
-                f"node {spoken(node.name)} is moved or scaled beyond {LARGEST:g} metres; export it smaller"
-            )
+        for node in nodes:
+            matrix = node.parent_from_node
+            placed.append(matrix if node.parent < 0 else placed[node.parent] @ matrix)
+            if not (np.abs(placed[-1]) <= LARGEST).all():
+                raise FileError(
+                    f"node {spoken(node.name)} is moved or scaled beyond {LARGEST:g} metres; shrink it"
+                )
 
 
 def matrix_of(part: Part) -> FloatArray | None:
