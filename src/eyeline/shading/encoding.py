@@ -43,6 +43,8 @@ DITHER = (0.1 + 0.8 * _threshold_matrix()).astype(np.float32).reshape(-1)
 @helper
 def encoded(linear, threshold, table):
     """The 8 bits of linear light; table: ENCODED."""
-    light = min(max(linear, np.float32(0)), np.float32(1))
+    # Written so that what is no number is black
+    light = linear if linear > np.float32(0) else np.float32(0)
+    light = light if light < np.float32(1) else np.float32(1)
     step = np.int64(math.sqrt(light) * np.float32(ENCODED_SIZE) + np.float32(0.5))
     return np.uint8(table[step] + threshold)

@@ -1,4 +1,4 @@
-"""The light that surrounds a scene: a bright ceiling, a darker floor, and a soft box overhead, in closed form.
+"""The light around a scene: a bright ceiling, a darker floor, and a soft box overhead, in closed form.
 
 Matt surfaces see it gathered over a hemisphere; mirrors see it blurred by their roughness, dimmed by the
 split sum's second factor. [Karis13; Karis14]

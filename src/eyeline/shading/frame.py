@@ -99,7 +99,7 @@ class Frame:
                 answer = colour_of(strip)
                 colour, layers = answer if isinstance(answer, tuple) else (answer, None)
                 back = strip.backdrop if behind is None else behind(strip)
-                resolve(strip.of_sample, colour, layers, back, picture[top : strip.bottom])
+                resolve(strip.of_sample, colour, layers, back, picture[top : strip.bottom], top)
 
         share(draw, min(threads(), len(tops)))
         return picture

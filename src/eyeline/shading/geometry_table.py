@@ -97,4 +97,5 @@ def _matrices(projected: Projected) -> FloatArray:
     side = np.where(np.linalg.det(turned) < 0, -1.0, 1.0)
     size = np.sqrt((cofactors**2).sum(axis=(1, 2))).clip(min=np.finfo(np.float64).tiny)
     normal = cofactors * (side / size)[:, None, None]
-    return np.concatenate([one.reshape(len(placed), one.shape[1] * one.shape[2]) for one in (picture, world, normal)], axis=1)
+    flat = [one.reshape(len(placed), one.shape[1] * one.shape[2]) for one in (picture, world, normal)]
+    return np.concatenate(flat, axis=1)

@@ -94,7 +94,8 @@ def _half_from_place(projected: Projected) -> FloatArray:
 def lens_of(projected: Projected) -> FloatArray:
     """(8,) float32: x = (0 + 1 column) s, y = (2 + 3 row) s of the half-size picture, in the eye's axes.
 
-    s is the distance in perspective, else 1; 4: 1 in perspective; distance = 1 / (5 + 6 depth), or 5 + 6 depth.
+    s is the distance in perspective, else 1; 4: 1 in perspective; distance = 1 / (5 + 6 depth), or
+    5 + 6 depth.
     """
     camera = projected.camera
     clip = camera.clip_from_eye(projected.width / projected.height)
@@ -152,7 +153,7 @@ def halve(depth, lens, floor, distance, width, top, bottom):
 
 @kernel
 def obscure(distance, lens, spiral, numbers, openness, left_end, right_end, width, top, bottom):
-    """Fill openness, unsmoothed: a row at a time, a tap at a time, so that the innermost loop is a vector's."""
+    """Fill openness, unsmoothed: row by row, tap by tap, so that the innermost loop is a vector's."""
     per_squared_reach, least, strength = numbers[0], numbers[1], numbers[2]
     perspective = lens[4]
     flat = ONE - perspective
@@ -241,7 +242,7 @@ def smooth_along(rough, distance, smooth, numbers, left_end, right_end, step, wi
 
 @kernel
 def look_up(lanes, count, openness):
-    """Fill OPEN with how open it is around each point: of the four nearest pixels, those that are as far away."""
+    """Fill OPEN with how open it is around each point, by those of four pixels that are as far away."""
     m, width, per_alike = openness.matrix, openness.width, np.float32(openness.per_alike)
     values, distances = openness.open, openness.distance
     most_u = np.float32(width - 2)

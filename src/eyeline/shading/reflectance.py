@@ -1,6 +1,7 @@
 """How much of a light a surface throws to the eye: metallic-roughness over whole vectors of points.
 
-Lambert under a GGX coat with Smith's joint masking and Schlick's Fresnel [glTF 2.0, appendix B; Walter07; Heitz14].
+Lambert under a GGX coat with Smith's joint masking and Schlick's Fresnel.
+[glTF 2.0, appendix B; Walter07; Heitz14]
 """
 
 from __future__ import annotations

@@ -29,7 +29,7 @@ class Region(NamedTuple):
 def region_of(
     scene: Scene, projected: Projected, floor: Floor | None, to_light: FloatArray | None, margin: int
 ) -> Region:
-    """The region, `margin` pixels wider all around; to_light: unit direction to the key whose shadow falls."""
+    """The region, `margin` pixels wider all around; to_light: unit, to the key whose shadow falls."""
     if scene.bounds.is_empty:
         return Region(0, 0, 0, 0)
     corners = scene.bounds.corners

@@ -23,23 +23,29 @@ NO_LAYERS = Layers(np.zeros((0, 0), np.int64), np.zeros((0, 4), np.float32))
 
 
 def resolve(
-    of_sample: IntArray, colour: FloatArray, layers: Layers | None, backdrop: ByteArray, picture: ByteArray
+    of_sample: IntArray,
+    colour: FloatArray,
+    layers: Layers | None,
+    backdrop: ByteArray,
+    picture: ByteArray,
+    top: int = 0,
 ) -> None:
     """Fill picture (rows, W, 4), straight alpha, sRGB.
 
-    of_sample: (n, P) rows of colour (K, 4) linear 0..1, or -1; backdrop: (rows, W, 4) sRGB.
+    of_sample: (n, P) rows of colour (K, 4) linear 0..1, or -1; backdrop: (rows, W, 4) sRGB; top: the row of
+    the whole picture that is the first here, so that the dither goes on from strip to strip.
     The mean is taken of what the screen shows, after the tone map, so that bright edges stay smooth.
     """
     layers = layers or NO_LAYERS
     width = picture.shape[1]
     resolve_pixels(
         of_sample, colour, layers.first, layers.colour, backdrop.reshape(-1, 4), picture.reshape(-1, 4),
-        width, ENCODED, DECODED, DITHER,
+        width, top, ENCODED, DECODED, DITHER,
     )  # fmt: skip
 
 
 @kernel
-def resolve_pixels(of_sample, colour, first, layer, backdrop, picture, width, table, decoded, dither):
+def resolve_pixels(of_sample, colour, first, layer, backdrop, picture, width, top, table, decoded, dither):
     """Blend, average and encode every pixel."""
     samples, count = of_sample.shape
     layered = first.shape[0] > 0
@@ -92,7 +98,7 @@ def resolve_pixels(of_sample, colour, first, layer, backdrop, picture, width, ta
             )
         if alpha > 0 and alpha < 1:
             red, green, blue = red / alpha, green / alpha, blue / alpha
-        threshold = dither[((p // width) & 7) * 8 + ((p % width) & 7)]
+        threshold = dither[((top + p // width) & 7) * 8 + ((p % width) & 7)]
         picture[p, 0] = encoded(red, threshold, table)
         picture[p, 1] = encoded(green, threshold, table)
         picture[p, 2] = encoded(blue, threshold, table)

@@ -45,7 +45,8 @@ def footprint_level(du_dx, dv_dx, du_dy, dv_dy, levels):
     while area >= 4.0 and level < levels - 1:
         area *= 0.25
         level += 1
-    if area <= 1.0:
+    # Written so that what is no number is not blurred
+    if not area > 1.0:
         return float(level)
     return min(level + math.sqrt(area) - 1.0, levels - 1.0)
 
@@ -61,10 +62,8 @@ def texel_blend(images, texels, decoded, image, level, u, v):
     column, row = math.floor(x), math.floor(y)
     right, down = np.float32(x - column), np.float32(y - row)
     left, up = np.float32(1) - right, np.float32(1) - down
-    x0, x1 = int(column), int(column) + 1
-    y0, y1 = int(row), int(row) + 1
-    x0, x1 = wrapped(x0, width, images[image, WRAP_U]), wrapped(x1, width, images[image, WRAP_U])
-    y0, y1 = wrapped(y0, height, images[image, WRAP_V]), wrapped(y1, height, images[image, WRAP_V])
+    x0, x1 = wrapped(column, width, images[image, WRAP_U]), wrapped(column + 1, width, images[image, WRAP_U])
+    y0, y1 = wrapped(row, height, images[image, WRAP_V]), wrapped(row + 1, height, images[image, WRAP_V])
     a, b = start + 4 * (y0 * width + x0), start + 4 * (y0 * width + x1)
     c, d = start + 4 * (y1 * width + x0), start + 4 * (y1 * width + x1)
     wa, wb, wc, wd = left * up, right * up, left * down, right * down
@@ -84,8 +83,8 @@ def texel(images, texels, decoded, image, u, v):
     """Four channels of the nearest texel."""
     width, height = images[image, WIDTH], images[image, HEIGHT]
     decoding = images[image, DECODING]
-    x = wrapped(int(math.floor(u * width)), width, images[image, WRAP_U])
-    y = wrapped(int(math.floor(v * height)), height, images[image, WRAP_V])
+    x = wrapped(math.floor(u * width), width, images[image, WRAP_U])
+    y = wrapped(math.floor(v * height), height, images[image, WRAP_V])
     at = images[image, LEVEL] + 4 * (y * width + x)
     red, green = decoded[decoding + texels[at]], decoded[decoding + texels[at + 1]]
     return red, green, decoded[decoding + texels[at + 2]], decoded[256 + texels[at + 3]]

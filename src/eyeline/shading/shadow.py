@@ -1,7 +1,7 @@
-"""How much of a light arrives at a point: a filter over its map, as wide as the blocker is far. [Reeves87; Fernando05]
+"""How much of a light arrives at a point: a filter over its map, as wide as the blocker is far.
 
-A texel is compared with the plane of the receiving face, not with one depth, so that faces do not shade
-themselves however wide the filter is. [Isidoro06]
+[Reeves87; Fernando05] A texel is compared with the plane of the receiving face, not with one depth, so that
+faces do not shade themselves however wide the filter is. [Isidoro06]
 """
 
 from __future__ import annotations
@@ -117,7 +117,7 @@ def plane_slopes(rows, index, x, y, z, normal, unit):
 
 @helper
 def blockers(depth, start, size, u, v, here, slope_u, slope_v, scratch):
-    """How many texels of the coarsest level around (u, v) shade the receiver's plane, and their depths' sum."""
+    """How many texels of the coarse level around (u, v) shade the receiver's plane; their depths' sum."""
     for i in range(2 * TAPS):
         scratch[i] = ZERO
     column, row = int(u) // 2 - TAPS // 2 + 1, int(v) // 2 - TAPS // 2 + 1
@@ -158,14 +158,14 @@ def filtered(depth, start, size, level, u, v, here, slope_u, slope_v, radius, sc
         total_v += weight
         for i in range(TAPS):
             shading = depth[base + i] > max(limit + du * np.float32(i), ZERO)
-            scratch[i] += ZERO if shading else weight
+            scratch[i] += weight if shading else ZERO
         base += size
         away_v += ONE
         limit += dv
-    total_u, open_part = ZERO, ZERO
+    total_u, shaded = ZERO, ZERO
     for i in range(TAPS):
         weight = max(ONE - away_u * away_u * per_radius * per_radius, ZERO)
         total_u += weight
-        open_part += scratch[i] * weight
+        shaded += scratch[i] * weight
         away_u += ONE
-    return open_part / (total_u * total_v)
+    return max(ONE - shaded / (total_u * total_v), ZERO)

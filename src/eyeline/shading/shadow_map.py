@@ -23,8 +23,8 @@ from eyeline.visibility.zbuffer import ZBuffer
 BLOCK = 8  # texels; as far as the widest filter reaches. A map has nothing of its own so near its border
 LEVELS = 2  # of the map: every texel, and every second for filters that reach twice as far
 EMPTY, CALM, EDGY = 0, 1, 2  # what a block and its neighbours hold: nothing, one smooth surface, an outline
-# Columns of `rows`: map_from_place (4, 4), by rows, to u w, v w, depth w, w in texels from places seen from the
-# eye; the first three rows of its inverse transpose (3, 4), which moves planes; and numbers
+# Columns of `rows`: map_from_place (4, 4), by rows, to u w, v w, depth w, w in texels from places seen
+# from the eye; the first three rows of its inverse transpose (3, 4), which moves planes; and numbers
 MATRIX, PLANES = 0, 16
 UNIT, UNIT_BY_DEPTH = 28, 29  # how much depth one texel spans, straight on: constant, and per depth
 WIDENING = 30  # texels of penumbra for each unit of depth between a blocker and what it shades
@@ -53,7 +53,9 @@ def shadow_maps(
     size: texels along a side, a multiple of BLOCK. Blended surfaces cast no shadow, and holes let light pass.
     """
     of_light = np.zeros((count, 2), np.int64)
-    rows, depths, blocks = [], [], []
+    rows: list[FloatArray] = []
+    depths: list[FloatArray] = []
+    blocks: list[ByteArray] = []
     bounds = scene.bounds
     for index, placed in enumerate(() if bounds.is_empty else casting):
         cameras = light_cameras(placed, bounds, size / (size - 2 * BLOCK - 4))
@@ -76,7 +78,7 @@ def shadow_maps(
 
 
 def light_cameras(placed: PlacedLight, bounds: Bounds, margin: float) -> list[Camera]:
-    """The eyes of a light: one, or six for a light that shines all around; each sees `margin` times as wide."""
+    """The eyes of a light: one, or six for one that shines all around; each `margin` times as wide."""
     light, matrix = placed.light, placed.world_from_light
     if light.kind == "directional":
         turned = bounds.moved(np.linalg.inv(matrix))
@@ -127,9 +129,9 @@ def _blocks(depth: FloatArray, row: FloatArray, size: int) -> ByteArray:
     parts = min(threads(), count)
     share(lambda part: mark_blocks(depth, size, row[UNIT], row[UNIT_BY_DEPTH], own, part, parts), parts)
     wide = np.pad(own, 1)
-    return np.max([wide[y : y + count, x : x + count] for y in range(3) for x in range(3)], axis=0).reshape(
-        -1
-    )
+    around = np.stack([wide[y : y + count, x : x + count] for y in range(3) for x in range(3)])
+    states: ByteArray = around.max(axis=0).reshape(-1)
+    return states
 
 
 @kernel

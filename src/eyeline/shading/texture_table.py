@@ -64,7 +64,7 @@ def _levels(pixels: ByteArray, srgb: bool) -> list[ByteArray]:
     """The image and its halves down to one texel, filtered in linear light."""
     levels = [np.ascontiguousarray(pixels)]
     decode = linear_from_srgb(np.arange(256) / 255).astype(np.float32) if srgb else None
-    linear = pixels.astype(np.float32) / 255
+    linear: FloatArray = pixels.astype(np.float32) / 255
     if decode is not None:
         linear[..., :3] = decode[pixels[..., :3]]
     while linear.shape[0] * linear.shape[1] > 1 and len(levels) < MOST_LEVELS:
@@ -77,7 +77,7 @@ def _levels(pixels: ByteArray, srgb: bool) -> list[ByteArray]:
 
 
 def _halved(image: FloatArray, axis: int) -> FloatArray:
-    """Half as many rows (axis 0) or columns (1), each the mean of what it covers; odd ones overlap. [Guthe05]"""
+    """Half the rows (axis 0) or columns (1): means of what they cover; odd ones overlap. [Guthe05]"""
     count = image.shape[axis]
     if count == 1:
         return image

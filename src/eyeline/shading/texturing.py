@@ -40,10 +40,10 @@ from eyeline.shading.texture_table import HEIGHT, LEVELS, WIDTH
 @helper
 def has_textures(slots, material):
     """Whether any slot of a material is filled."""
+    filled = False
     for slot in range(slots.shape[1]):
-        if slots[material, slot, 0] >= 0:
-            return True
-    return False
+        filled = filled or slots[material, slot, 0] >= 0
+    return filled
 
 
 @helper
