@@ -3,8 +3,9 @@ Glass and holes
 ===============
 
 Three panes of tinted glass that pierce each other, and a ball in a shell full of holes. Each sample of each
-pixel keeps its own list of what it looks through, sorted by depth, so the order of the nodes makes no difference
-and panes may cross. Where a texture's alpha is less than the cutoff there is no surface: light and eye pass.
+pixel keeps its own list of what it looks through, sorted by depth, so the order of the nodes makes no
+difference and panes may cross. Where a texture's alpha is less than the cutoff there is no surface: light and
+eye pass.
 """
 
 import math
