@@ -26,13 +26,13 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
     """
     ends, previous, pixels, keys, corners, planes, sources = scratch
     width, height = size
-    buffer = np.empty(width * ROWS + 2 * LANES, np.int64)
+    buffer = np.zeros(width * ROWS + 2 * LANES, np.int64)
     spans = np.empty(2 * ROWS, np.int32)
     tests = 0
     for band in range(part, ((height - 1) >> BAND_BITS) + 1, parts):
         row0 = band << BAND_BITS
         row1 = min(height, row0 + ROWS) - 1
-        buffer[:] = 0
+        left, right = width, -1
         for binned in range(ends.shape[0]):
             own_pixels, own_keys = pixels[binned], keys[binned]
             own_corners, own_planes, own_sources = corners[binned], planes[binned], sources[binned]
@@ -41,25 +41,46 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
                 begin = (end - 1) & -BLOCK
                 for j in range(begin, end):
                     if own_pixels[j] >= 0:
-                        at = np.uint32(((own_pixels[j] >> 16) - row0) * width + (own_pixels[j] & 65535))
+                        x = own_pixels[j] & 65535
+                        left, right = min(left, x), max(right, x)
+                        at = np.uint32(((own_pixels[j] >> 16) - row0) * width + x)
                         buffer[at] = max(buffer[at], own_keys[j])
                         tests += 1
                     else:
                         record = own_keys[j]
                         box = set_spans(record, own_corners, width, row0, row1, spans)
+                        left, right = min(left, box[0]), max(right, box[1])
                         tests += draw_spans(record, own_planes, own_sources, box, spans, buffer, row0, width)
                 end = previous[binned, begin // BLOCK]
-        finish(buffer, depth_bits[row0 * width : (row1 + 1) * width], face[row0 * width : (row1 + 1) * width])
+        # Beside the columns that something fell on the keys are still 0, and need no look
+        left = min(left, right + 1)
+        for y in range(row0, row1 + 1):
+            begin, row = y * width, (y - row0) * width
+            blank(depth_bits[begin : begin + left], face[begin : begin + left])
+            finish(
+                buffer[row + left : row + right + 1],
+                depth_bits[begin + left : begin + right + 1],
+                face[begin + left : begin + right + 1],
+            )
+            blank(depth_bits[begin + right + 1 : begin + width], face[begin + right + 1 : begin + width])
     return tests
 
 
 @helper
-def finish(buffer, depth_bits, face):
-    """Split keys into depth and face; a key of depth 0 is nothing, as far as the back."""
-    for i in range(depth_bits.shape[0]):
-        bits = np.int32(buffer[i] >> 32)
+def blank(depth_bits, face):
+    """Pixels that nothing fell on."""
+    depth_bits[:] = 0
+    face[:] = -1
+
+
+@helper
+def finish(keys, depth_bits, face):
+    """Split keys into depth and face, and clear them; a key of depth 0 is nothing, as far as the back."""
+    for i in range(keys.shape[0]):
+        bits = np.int32(keys[i] >> 32)
         depth_bits[i] = bits
-        face[i] = ~np.int32(buffer[i]) if bits != 0 else np.int32(-1)
+        face[i] = ~np.int32(keys[i]) if bits != 0 else np.int32(-1)
+        keys[i] = 0
 
 
 @helper
