@@ -22,8 +22,8 @@ class Wire:
     """Lines of constant width over a surface shaded by how it faces the eye.
 
     A line's place is exact: it is the distance on the screen to the edge of the face that is seen, so hidden
-    lines need no test of their own. Where faces are smaller than `fading` pixels across, lines pale, so that
-    a dense mesh stays a surface.
+    lines need no test of their own. Where the heights of a face are less than `fading` pixels in the mean its
+    lines pale, so that a dense mesh stays a surface.
     """
 
     name: str = "wire"
@@ -68,11 +68,11 @@ def edge_cover(geometry, faces, xs, ys, half, fading, cover):
             first = geometry.places[surface, POINTS]
             edges, _ = edges_of(geometry.matrices, surface, geometry.points, first, corners)
         shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
-        most = 0.0
+        nearest, total = np.inf, 0.0
         for k in range(3):
             # One over the steepness of a share is how far it is, here, from its edge to its corner
             height = 1.0 / (abs(scale) * math.sqrt(edges[k][0] * edges[k][0] + edges[k][1] * edges[k][1]))
-            inside = half + 0.5 - abs(shares[k]) * height
-            pale = min(height / fading, 1.0)
-            most = max(most, min(inside, 1.0) * pale * pale)
-        cover[point] = most
+            nearest = min(nearest, abs(shares[k]) * height)
+            total += height
+        pale = min(total / (3.0 * fading), 1.0)
+        cover[point] = min(max(half + 0.5 - nearest, 0.0), 1.0) * pale * pale
