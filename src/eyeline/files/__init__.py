@@ -35,7 +35,7 @@ class Reader:
         return cast("Scene", read(path))
 
 
-GLTF = Reader("glTF 2.0", "eyeline.files.gltf", several_scenes=True)
+GLTF = Reader("glTF 2.0", "eyeline.files.gltf.reader", several_scenes=True)
 
 READERS: dict[str, Reader] = {
     ".gltf": GLTF,
