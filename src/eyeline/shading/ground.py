@@ -9,7 +9,7 @@ import numpy as np
 from eyeline.geometry.arrays import ByteArray
 from eyeline.jit import kernel
 from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded
-from eyeline.shading.lanes import GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, TILE, X, Y, Z
+from eyeline.shading.lanes import GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, SPARE, TILE, X, Y, Z
 from eyeline.shading.openness import look_up
 from eyeline.shading.shadow import arrive
 
@@ -28,7 +28,7 @@ def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
     if floor is None or top >= bottom or region.width == 0:
         return strip.backdrop
     shaded = strip.backdrop.copy()
-    lanes = np.empty((ROWS, TILE), np.float32)
+    lanes = np.empty((ROWS, TILE + SPARE), np.float32)
     rows = max(1, TILE // region.width)
     for first in range(top, bottom, rows):
         last = min(bottom, first + rows)

@@ -5,7 +5,8 @@ A row holds one number of many points side by side, so that arithmetic runs over
 
 from __future__ import annotations
 
-TILE = 4096  # points at a time: all rows of a tile stay in a core's own cache
+TILE = 2048  # points at a time: all rows of a tile stay in a core's own cache
+SPARE = 16  # lanes at the end of a row, so that rows do not fall on the same lines of the cache
 
 # Place, from the eye, along the world's axes, metres
 X, Y, Z = 0, 1, 2

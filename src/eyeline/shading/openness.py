@@ -21,13 +21,13 @@ from eyeline.shading.region import Region
 from eyeline.visibility.method import Visible
 
 REACH_PART = 0.07  # of the scene's diagonal: how far a neighbour can be and still darken
-TAPS = 20
-TURNS = 7  # of the spiral; shares no divisor with TAPS, so that taps spread evenly
+TAPS = 14
+TURNS = 5  # of the spiral; shares no divisor with TAPS, so that taps spread evenly
 LEAST_PIXELS, MOST_PIXELS = 6, 40  # of the half-size picture: how far the spiral goes
 MARGIN = MOST_PIXELS + 2  # pixels of nothing around the half-size picture, so that taps need no test
 FAR = np.float32(1e18)  # metres to nothing
-LEAST_RISE = 0.08  # sine over a pixel's plane below which a neighbour is the surface itself
-STRENGTH = 2.6  # so that a right-angled crease is about as dark as a hemisphere half closed
+LEAST_RISE = 0.01  # squared sine over a pixel's plane below which a neighbour is the surface itself
+STRENGTH = 3.4  # so that a right-angled crease is about as dark as a hemisphere half closed
 SMOOTHING = 3  # pixels to each side
 LEAST_ALIKE = np.float32(1e-3)
 ZERO, ONE, TINY = np.float32(0), np.float32(1), np.float32(1e-30)
@@ -210,11 +210,9 @@ def obscure(distance, lens, spiral, numbers, openness, left_end, right_end, widt
                 vy = tap_y * scale - lines[1, column]
                 vz = lines[2, column] - there
                 squared = vx * vx + vy * vy + vz * vz + TINY
-                rise = (vx * lines[3, column] + vy * lines[4, column] + vz * lines[5, column]) / math.sqrt(
-                    squared
-                )
+                rise = max(vx * lines[3, column] + vy * lines[4, column] + vz * lines[5, column], ZERO)
                 near = max(ONE - squared * per_squared_reach, ZERO)
-                openness[start + column] += near * max(rise - least, ZERO)
+                openness[start + column] += near * max(rise * rise / squared - least, ZERO)
         for column in range(columns):
             openness[start + column] = max(ONE - strength * openness[start + column], ZERO)
 
@@ -260,6 +258,9 @@ def look_up(lanes, count, openness):
         a = row * width + column
         b, c = a + 1, a + width
         d = c + 1
+        lanes[OPEN, i] = ONE
+        if values[a] == ONE and values[b] == ONE and values[c] == ONE and values[d] == ONE:
+            continue
         # A little of each, should none be alike
         wa = max(ONE - abs(distances[a] - away) * per_alike, LEAST_ALIKE) * (ONE - right) * (ONE - down)
         wb = max(ONE - abs(distances[b] - away) * per_alike, LEAST_ALIKE) * right * (ONE - down)

@@ -13,7 +13,7 @@ from eyeline.geometry.arrays import FloatArray
 from eyeline.shading.attributes import gather
 from eyeline.shading.encoding import DECODED
 from eyeline.shading.environment import add_environment
-from eyeline.shading.lanes import ROWS, TILE
+from eyeline.shading.lanes import ROWS, SPARE, TILE
 from eyeline.shading.openness import look_up
 from eyeline.shading.reflectance import add_light, prepare
 from eyeline.shading.shadow import arrive
@@ -32,7 +32,7 @@ def colours_of(frame: Frame, stage: Stage, points: SurfacePoints, faceted: bool 
     """
     count = len(points)
     colours = np.empty((count, 4), np.float32)
-    lanes, painted = np.empty((ROWS, TILE), np.float32), np.full(TILE, -1)
+    lanes, painted = np.empty((ROWS, TILE + SPARE), np.float32), np.full(TILE, -1)
     where = points.face, points.x, points.y
     gain, neutral = np.float32(2.0**frame.look.exposure), np.float32(frame.look.tone == "neutral")
     for begin in range(0, count, TILE):

@@ -6,6 +6,8 @@ faces do not shade themselves however wide the filter is. [Isidoro06]
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from eyeline.jit import helper, kernel
@@ -14,9 +16,9 @@ from eyeline.shading.light_table import AT, NEARNESS
 from eyeline.shading.shadow_map import BLOCK, CALM, EMPTY, MATRIX, PLANES, UNIT, UNIT_BY_DEPTH, WIDENING
 
 ZERO, ONE = np.float32(0), np.float32(1)
-TAPS = 8  # texels of a filter along each side
-REACH = 4  # texels that it covers to each side of its middle
-NARROWEST = np.float32(2)  # texels: the radius of the sharpest outline
+SEARCHED, STRIDE = 5, 3  # blockers are sought at 5 x 5 texels, every third
+REACH = 4.0  # texels: a wider filter looks at every second only
+NARROWEST, WIDEST = 2.0, float(BLOCK)  # texels: the radius of the sharpest and the softest outline
 STEEPEST = 100.0  # texels of depth for each across: beyond, a face is lit so flatly that it is dark anyway
 SLACK, SLACK_OF_SLOPE = 0.5, 0.1  # texels of depth, and of the slope, that a blocker must stand out by
 
@@ -26,7 +28,6 @@ def arrive(lanes, count, maps, lights, light):
     """Fill LIT with the part of one light that arrives, 0..1."""
     first, sides = maps.of_light[light, 0], maps.of_light[light, 1]
     nearness = lights[light, NEARNESS]
-    scratch = np.empty(2 * TAPS, np.float32)
     for i in range(count):
         lanes[LIT, i] = ONE
         x = lights[light, AT] - lanes[X, i] * nearness
@@ -36,7 +37,7 @@ def arrive(lanes, count, maps, lights, light):
         if sides > 0 and x * lanes[NX, i] + y * lanes[NY, i] + z * lanes[NZ, i] > 0:
             side = first + (cube_side(-x, -y, -z) if sides > 1 else 0)
             normal = lanes[GX, i], lanes[GY, i], lanes[GZ, i]
-            lanes[LIT, i] = arriving(maps, side, lanes[X, i], lanes[Y, i], lanes[Z, i], normal, scratch)
+            lanes[LIT, i] = arriving(maps, side, lanes[X, i], lanes[Y, i], lanes[Z, i], normal)
 
 
 @helper
@@ -50,7 +51,7 @@ def cube_side(x, y, z):
 
 
 @helper
-def arriving(maps, index, x, y, z, normal, scratch):
+def arriving(maps, index, x, y, z, normal):
     """The part of a light, 0..1, that a map lets through to a place on a face with this normal."""
     rows, size = maps.rows, maps.size
     w = along(rows, index, MATRIX + 12, x, y, z, 1.0)
@@ -74,19 +75,16 @@ def arriving(maps, index, x, y, z, normal, scratch):
         # Nothing, depth 0, shades nothing, not even what lies beyond all depth
         limit = max(here + slope_u * (column + 0.5 - u) + slope_v * (row + 0.5 - v), 0.0)
         return ZERO if maps.depth[start + row * size + column] > limit else ONE
-    coarse = start + size * size
-    found, depth_of_found = blockers(maps.depth, coarse, size // 2, u, v, here, slope_u, slope_v, scratch)
-    if found == TAPS * TAPS:
+    found, depth_of_found = blockers(maps.depth, start, size, u, v, here, slope_u, slope_v)
+    if found == SEARCHED * SEARCHED:
         return ZERO
     radius = NARROWEST
     if found > 0:
         wide = (depth_of_found / found - here) * rows[index, WIDENING]
-        radius = np.float32(min(max(wide, float(NARROWEST)), float(BLOCK)))
-    level = 0
-    while radius > REACH << level:
-        start += (size >> level) * (size >> level)
-        level += 1
-    return filtered(maps.depth, start, size >> level, level, u, v, here, slope_u, slope_v, radius, scratch)
+        radius = min(max(wide, NARROWEST), WIDEST)
+    if radius > REACH:
+        return filtered(maps.depth, start + size * size, size // 2, 1, u, v, here, slope_u, slope_v, radius)
+    return filtered(maps.depth, start, size, 0, u, v, here, slope_u, slope_v, radius)
 
 
 @helper
@@ -116,56 +114,43 @@ def plane_slopes(rows, index, x, y, z, normal, unit):
 
 
 @helper
-def blockers(depth, start, size, u, v, here, slope_u, slope_v, scratch):
-    """How many texels of the coarse level around (u, v) shade the receiver's plane; their depths' sum."""
-    for i in range(2 * TAPS):
-        scratch[i] = ZERO
-    column, row = int(u) // 2 - TAPS // 2 + 1, int(v) // 2 - TAPS // 2 + 1
-    base = start + row * size + column
-    step = np.float32(2 * slope_u)
-    limit = np.float32(here + slope_u * (2 * column + 0.5 - u) + slope_v * (2 * row + 0.5 - v))
-    for _ in range(TAPS):
-        for i in range(TAPS):
-            there = depth[base + i]
-            shading = there > max(limit + step * np.float32(i), ZERO)
-            scratch[i] += ONE if shading else ZERO
-            scratch[TAPS + i] += there if shading else ZERO
-        base += size
-        limit += np.float32(2 * slope_v)
-    found, total = ZERO, ZERO
-    for i in range(TAPS):
-        found += scratch[i]
-        total += scratch[TAPS + i]
+def blockers(depth, start, size, u, v, here, slope_u, slope_v):
+    """How many of some texels far around (u, v) shade the receiver's plane, and their depths' sum."""
+    column, row = int(u) - STRIDE * (SEARCHED // 2), int(v) - STRIDE * (SEARCHED // 2)
+    limit = np.float32(here + slope_u * (column + 0.5 - u) + slope_v * (row + 0.5 - v))
+    du, dv = np.float32(STRIDE * slope_u), np.float32(STRIDE * slope_v)
+    found, total = 0, ZERO
+    for j in range(SEARCHED):
+        base = start + (row + STRIDE * j) * size + column
+        for i in range(SEARCHED):
+            there = depth[base + STRIDE * i]
+            shading = there > ZERO and there > limit + du * np.float32(i)
+            found += 1 if shading else 0
+            total += there if shading else ZERO
+        limit += dv
     return found, total
 
 
 @helper
-def filtered(depth, start, size, level, u, v, here, slope_u, slope_v, radius, scratch):
-    """The part of a level's texels around (u, v) that do not shade, each weighed by its nearness."""
-    step = np.float32(1 << level)
-    middle_u, middle_v = (u - 0.5) / step, (v - 0.5) / step
-    column, row = int(middle_u) - TAPS // 2 + 1, int(middle_v) - TAPS // 2 + 1
-    base = start + row * size + column
-    du, dv = np.float32(slope_u) * step, np.float32(slope_v) * step
-    away_u, away_v = np.float32(column - middle_u), np.float32(row - middle_v)
-    limit = np.float32(here) + du * away_u + dv * away_v
-    per_radius = step / radius
-    for i in range(TAPS):
-        scratch[i] = ZERO
-    total_v = ZERO
-    for _ in range(TAPS):
-        weight = max(ONE - away_v * away_v * per_radius * per_radius, ZERO)
-        total_v += weight
-        for i in range(TAPS):
-            shading = depth[base + i] > max(limit + du * np.float32(i), ZERO)
-            scratch[i] += weight if shading else ZERO
-        base += size
+def filtered(depth, start, size, level, u, v, here, slope_u, slope_v, radius):
+    """The part of a level's texels within a radius around (u, v) that do not shade; near ones weigh more."""
+    step = 1 << level
+    middle_u, middle_v, reach = (u - 0.5) / step, (v - 0.5) / step, radius / step
+    left, top = math.ceil(middle_u - reach), math.ceil(middle_v - reach)
+    right, bottom = math.floor(middle_u + reach), math.floor(middle_v + reach)
+    du, dv = np.float32(slope_u * step), np.float32(slope_v * step)
+    per_reach = np.float32(1 / (reach * reach))
+    total, shaded = ZERO, ZERO
+    away_v = np.float32(top - middle_v)
+    for row in range(top, bottom + 1):
+        weight_v = ONE - away_v * away_v * per_reach
+        away_u = np.float32(left - middle_u)
+        limit = np.float32(here) + dv * away_v
+        for column in range(left, right + 1):
+            weight = (ONE - away_u * away_u * per_reach) * weight_v
+            there = depth[start + row * size + column]
+            total += weight
+            shaded += weight if there > ZERO and there > limit + du * away_u else ZERO
+            away_u += ONE
         away_v += ONE
-        limit += dv
-    total_u, shaded = ZERO, ZERO
-    for i in range(TAPS):
-        weight = max(ONE - away_u * away_u * per_radius * per_radius, ZERO)
-        total_u += weight
-        shaded += scratch[i] * weight
-        away_u += ONE
-    return max(ONE - shaded / (total_u * total_v), ZERO)
+    return max(ONE - shaded / total, ZERO)

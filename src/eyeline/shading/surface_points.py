@@ -69,8 +69,6 @@ def list_distinct(faces, shifts, first_pixel, width, of_sample, pixel, face, x, 
     samples, count = faces.shape
     total = 0
     for p in range(count):
-        column = (first_pixel + p) % width
-        row = (first_pixel + p) // width
         for s in range(samples):
             seen = faces[s, p]
             of_sample[s, p] = -1
@@ -92,7 +90,7 @@ def list_distinct(faces, shifts, first_pixel, width, of_sample, pixel, face, x, 
             of_sample[s, p] = total
             pixel[total] = first_pixel + p
             face[total] = seen
-            x[total] = column + 0.5 + dx / alike
-            y[total] = row + 0.5 + dy / alike
+            x[total] = (first_pixel + p) % width + 0.5 + dx / alike
+            y[total] = (first_pixel + p) // width + 0.5 + dy / alike
             total += 1
     return total
