@@ -53,6 +53,9 @@ def call(arguments: list[str]) -> int:
     command: Any = typer.main.get_command(app)
     try:
         return command.main(arguments, prog_name="eyeline", standalone_mode=False) or DONE
+    except SystemExit as end:
+        # Typer ends the process by itself where the reader of our output has gone
+        raise end.__context__ if isinstance(end.__context__, BrokenPipeError) else end from None
     except typer.Abort:
         return INTERRUPTED
     except usage_error as reason:
