@@ -163,7 +163,9 @@ def test_the_roughest_white_metal_gives_back_one_minus_the_logarithm_of_two():
         matrix[:3, 2] = math.sqrt(1 - cosine**2), 0, cosine
         one = blank(1)
         one[METALLIC] = one[ROUGHNESS] = 1
-        add_light(one, 1, light_table([PlacedLight(Light(intensity=2 * math.pi / 100), matrix)], np.zeros(3)), 0)
+        add_light(
+            one, 1, light_table([PlacedLight(Light(intensity=2 * math.pi / 100), matrix)], np.zeros(3)), 0
+        )
         given_back += float(one[OUT_RED, 0])
     assert given_back == pytest.approx(1 - math.log(2), rel=0.01)
 
