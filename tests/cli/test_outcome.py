@@ -37,6 +37,20 @@ def test_a_defect_of_ours_is_shown_to_who_asks(capfd: pytest.CaptureFixture[str]
     assert error.splitlines()[-1].startswith("eyeline: a defect of ours")
 
 
+@pytest.mark.parametrize(("signal", "code"), [(KeyboardInterrupt, 130), (SystemExit, 143)])
+def test_a_signal_that_struck_a_lock_is_still_a_signal(
+    monkeypatch: pytest.MonkeyPatch, signal: type[BaseException], code: int
+) -> None:
+    def fail(_: object) -> None:
+        try:
+            raise signal
+        finally:
+            raise RuntimeError("cannot release un-acquired lock")
+
+    monkeypatch.setattr("eyeline.cli.info.contents", fail)
+    assert main(["info", "sample:cube"]) == code
+
+
 @pytest.mark.parametrize(("error", "code"), [(KeyboardInterrupt, 130), (MemoryError, 2)])
 def test_other_ends_have_their_own_codes(
     monkeypatch: pytest.MonkeyPatch, error: type[BaseException], code: int

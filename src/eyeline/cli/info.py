@@ -58,6 +58,7 @@ def contents(scene: Scene) -> dict[str, Any]:
             {"name": one.name, "size": [one.pixels.shape[1], one.pixels.shape[0]]}
             for one in textures.values()
         ],
+        "extensions": list(scene.extensions),
         "notes": list(scene.notes),
     }
 
@@ -105,7 +106,7 @@ def lines(name: str, found: dict[str, Any]) -> list[str]:
         [f"{one['name'] or '(no name)'}, {one['size'][0]}x{one['size'][1]}" for one in found["textures"]],
     )
     told += section("nodes", tree(found["nodes"]))
-    return told + section("notes", found["notes"])
+    return told + section("extensions", found["extensions"]) + section("notes", found["notes"])
 
 
 def section(title: str, rows: list[str]) -> list[str]:

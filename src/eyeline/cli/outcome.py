@@ -39,7 +39,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except MemoryError:
         return refuse("there is not enough memory; a smaller --size or fewer --samples take less")
     except Exception as reason:
-        return confess(reason, "--debug" in given)
+        return stopped(reason) or confess(reason, "--debug" in given)
 
 
 def call(arguments: list[str]) -> int:
@@ -85,6 +85,20 @@ def stop_at_terminate() -> None:
 
     if threading.current_thread() is threading.main_thread():
         signal.signal(signal.SIGTERM, leave)
+
+
+def stopped(reason: BaseException | None) -> int:
+    """The exit code of a signal that an exception follows from, 0 if none.
+
+    A signal may strike where a lock is taken; Python then complains about the lock, not about the signal.
+    """
+    while reason is not None:
+        if isinstance(reason, KeyboardInterrupt):
+            return INTERRUPTED
+        if isinstance(reason, SystemExit):
+            return TERMINATED
+        reason = reason.__context__
+    return 0
 
 
 def refuse(sentence: str) -> int:
