@@ -28,61 +28,64 @@ def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
     if floor is None or top >= bottom or region.width == 0:
         return strip.backdrop
     shaded = strip.backdrop.copy()
-    lanes = np.empty((ROWS, TILE + SPARE), np.float32)
+    lanes, pixels = np.empty((ROWS, TILE + SPARE), np.float32), np.empty(TILE, np.int64)
     rows = max(1, TILE // region.width)
     for first in range(top, bottom, rows):
         last = min(bottom, first + rows)
         for left in range(region.left, region.right, TILE):
             window = left, first, min(region.right, left + TILE), last
-            count = (window[2] - left) * (last - first)
-            place_floor(
-                lanes, window, floor.place, floor.below_eye, strip.of_sample, strip.top, shaded.shape[1]
+            count = place_floor(
+                lanes,
+                pixels,
+                window,
+                floor.place,
+                floor.below_eye,
+                strip.of_sample,
+                strip.top,
+                shaded.shape[1],
             )
             arrive(lanes, count, stage.shadows, stage.lights, 0)
             look_up(lanes, count, stage.openness)
-            darken(shaded, lanes, window, strip.top, (ENCODED, DECODED, DITHER))
+            darken(shaded, lanes, pixels, count, strip.top, (ENCODED, DECODED, DITHER))
     return shaded
 
 
 @kernel
-def darken(shaded, lanes, window, strip_top, tables):
-    """Darken a window of shaded (rows, W, 4), which holds the backdrop, where the floor is."""
-    table, decoded, dither = tables
+def place_floor(lanes, pixels, window, place, below_eye, of_sample, strip_top, width):
+    """Fill pixels with those of a window that show the floor, and the lanes with where; how many."""
     left, top, right, bottom = window
-    i = -1
-    for row in range(top, bottom):
-        for column in range(left, right):
-            i += 1
-            light = KEY_PART * lanes[LIT, i] + (ONE - KEY_PART) * lanes[OPEN, i]
-            if light < ONE and lanes[NY, i] > ZERO:
-                threshold = dither[(row & 7) * 8 + (column & 7)]
-                y = row - strip_top
-                for k in range(3):
-                    shaded[y, column, k] = encoded(decoded[shaded[y, column, k]] * light, threshold, table)
-
-
-@kernel
-def place_floor(lanes, window, place, below_eye, of_sample, strip_top, width):
-    """Fill the lanes with where a window's pixels meet the floor, and its normal: (0, 0, 0) where not.
-
-    What is covered has no normal either: no light is asked for.
-    """
-    left, top, right, bottom = window
-    i = -1
+    count = 0
     for row in range(top, bottom):
         down = row + 0.5
         start = (row - strip_top) * width
         for column in range(left, right):
-            i += 1
             across = column + 0.5
             w = place[2, 0] * across + place[2, 1] * down + place[2, 2]
             bare = False
             for s in range(of_sample.shape[0]):
                 bare = bare or of_sample[s, start + column] < 0
-            met = ONE if w > 0 and bare else ZERO
-            per_w = 1.0 / w if w > 0 else 0.0
-            lanes[X, i] = (place[0, 0] * across + place[0, 1] * down + place[0, 2]) * per_w
-            lanes[Y, i] = below_eye * met
-            lanes[Z, i] = (place[1, 0] * across + place[1, 1] * down + place[1, 2]) * per_w
-            lanes[NX, i], lanes[NY, i], lanes[NZ, i] = ZERO, met, ZERO
-            lanes[GX, i], lanes[GY, i], lanes[GZ, i] = ZERO, ONE, ZERO
+            if not bare or w <= 0:
+                continue
+            per_w = 1.0 / w
+            pixels[count] = start + column
+            lanes[X, count] = (place[0, 0] * across + place[0, 1] * down + place[0, 2]) * per_w
+            lanes[Y, count] = below_eye
+            lanes[Z, count] = (place[1, 0] * across + place[1, 1] * down + place[1, 2]) * per_w
+            lanes[NX, count], lanes[NY, count], lanes[NZ, count] = ZERO, ONE, ZERO
+            lanes[GX, count], lanes[GY, count], lanes[GZ, count] = ZERO, ONE, ZERO
+            count += 1
+    return count
+
+
+@kernel
+def darken(shaded, lanes, pixels, count, strip_top, tables):
+    """Darken pixels of shaded (rows, W, 4), which holds the backdrop, where the floor lies in shadow."""
+    table, decoded, dither = tables
+    width = shaded.shape[1]
+    for i in range(count):
+        light = KEY_PART * lanes[LIT, i] + (ONE - KEY_PART) * lanes[OPEN, i]
+        if light < ONE:
+            row, column = pixels[i] // width, pixels[i] % width
+            threshold = dither[((strip_top + row) & 7) * 8 + (column & 7)]
+            for k in range(3):
+                shaded[row, column, k] = encoded(decoded[shaded[row, column, k]] * light, threshold, table)

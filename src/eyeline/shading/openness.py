@@ -200,21 +200,26 @@ def obscure(distance, lens, spiral, numbers, openness, left_end, right_end, widt
             lines[0, column], lines[1, column], lines[2, column] = x * scale_here, y * scale_here, here
             lines[3, column], lines[4, column], lines[5, column] = nx * scale, ny * scale, nz * scale
             openness[i] = ZERO
+        # Rows of their own, indexed from 0: only so the compiler sees that it may use vectors
+        total = openness[start : start + columns]
+        at_x, at_y, at_z = lines[0], lines[1], lines[2]
+        to_x, to_y, to_z = lines[3], lines[4], lines[5]
         for tap in range(spiral.shape[0]):
-            dx, step = np.float32(spiral[tap, 0]), spiral[tap, 2]
+            dx, first = np.float32(spiral[tap, 0]), start + spiral[tap, 2]
             tap_y = y + y1 * np.float32(spiral[tap, 1])
+            tapped = distance[first : first + columns]
             for column in range(columns):
-                there = distance[start + step + column]
+                there = tapped[column]
                 scale = flat + there * perspective
-                vx = (x0 + x1 * (np.float32(column) + dx)) * scale - lines[0, column]
-                vy = tap_y * scale - lines[1, column]
-                vz = lines[2, column] - there
+                vx = (x0 + x1 * (np.float32(column) + dx)) * scale - at_x[column]
+                vy = tap_y * scale - at_y[column]
+                vz = at_z[column] - there
                 squared = vx * vx + vy * vy + vz * vz + TINY
-                rise = max(vx * lines[3, column] + vy * lines[4, column] + vz * lines[5, column], ZERO)
+                rise = max(vx * to_x[column] + vy * to_y[column] + vz * to_z[column], ZERO)
                 near = max(ONE - squared * per_squared_reach, ZERO)
-                openness[start + column] += near * max(rise * rise / squared - least, ZERO)
+                total[column] += near * max(rise * rise / squared - least, ZERO)
         for column in range(columns):
-            openness[start + column] = max(ONE - strength * openness[start + column], ZERO)
+            total[column] = max(ONE - strength * total[column], ZERO)
 
 
 @kernel

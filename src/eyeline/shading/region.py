@@ -7,9 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
+from eyeline.geometry.bounds import Bounds
 from eyeline.projection.projected import Projected
-from eyeline.scene.scene import Scene
-from eyeline.shading.floor import Floor
 
 
 class Region(NamedTuple):
@@ -26,18 +25,14 @@ class Region(NamedTuple):
         return max(self.right - self.left, 0)
 
 
-def region_of(
-    scene: Scene, projected: Projected, floor: Floor | None, to_light: FloatArray | None, margin: int
-) -> Region:
-    """The region, `margin` pixels wider all around; to_light: unit, to the key whose shadow falls."""
-    if scene.bounds.is_empty:
+def region_of(points: FloatArray, projected: Projected, margin: int) -> Region:
+    """The box in the picture around points (N, 3), `margin` pixels wider all around.
+
+    All the picture where a point lies behind the eye; nothing for no points.
+    """
+    if len(points) == 0:
         return Region(0, 0, 0, 0)
-    corners = scene.bounds.corners
-    if floor is not None and to_light is not None and to_light[1] > 0:
-        # Each corner's shadow on the floor
-        steps = (corners[:, 1] - scene.bounds.low[1]) / to_light[1]
-        corners = np.concatenate([corners, corners - to_light * steps[:, None]])
-    clip = np.concatenate([corners, np.ones((len(corners), 1))], axis=1) @ projected.clip_from_world.T
+    clip = np.concatenate([points, np.ones((len(points), 1))], axis=1) @ projected.clip_from_world.T
     width, height = projected.width, projected.height
     if (clip[:, 3] <= 0).any():
         return Region(0, 0, width, height)
@@ -49,3 +44,19 @@ def region_of(
         int(np.clip(columns.max() + margin + 1, 0, width)),
         int(np.clip(rows.max() + margin + 1, 0, height)),
     )
+
+
+def on_floor(bounds: Bounds, to_light: FloatArray | None, around: float) -> FloatArray:
+    """(N, 3) corners of what can darken the floor under a box: `around` metres about it, and its shadow.
+
+    to_light: unit, to the key whose shadow falls, if one does.
+    """
+    if bounds.is_empty:
+        return np.zeros((0, 3))
+    sides = np.array([around, 0, around])
+    wide = Bounds(bounds.low - sides, bounds.high + sides)
+    foot = wide.corners * (1, 0, 1) + (0, bounds.low[1], 0)
+    if to_light is None or to_light[1] <= 0:
+        return foot
+    steps = (wide.corners[:, 1] - bounds.low[1]) / to_light[1]
+    return np.concatenate([foot, wide.corners - to_light * steps[:, None]])

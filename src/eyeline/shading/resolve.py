@@ -38,6 +38,7 @@ def resolve(
     """
     layers = layers or NO_LAYERS
     width = picture.shape[1]
+    picture[...] = backdrop
     resolve_pixels(
         of_sample, colour, layers.first, layers.colour, backdrop.reshape(-1, 4), picture.reshape(-1, 4),
         width, top, ENCODED, DECODED, DITHER,
@@ -46,7 +47,7 @@ def resolve(
 
 @kernel
 def resolve_pixels(of_sample, colour, first, layer, backdrop, picture, width, top, table, decoded, dither):
-    """Blend, average and encode every pixel."""
+    """Blend, average and encode every pixel of picture, which holds the backdrop."""
     samples, count = of_sample.shape
     layered = first.shape[0] > 0
     share_of_one = np.float32(1) / np.float32(samples)
@@ -56,8 +57,6 @@ def resolve_pixels(of_sample, colour, first, layer, backdrop, picture, width, to
         for s in range(1, samples):
             alike = alike and of_sample[s, p] == point and (not layered or first[s, p] == first[s, p + 1])
         if alike and point < 0:
-            for k in range(4):
-                picture[p, k] = backdrop[p, k]
             continue
         red, green, blue, alpha = np.float32(0), np.float32(0), np.float32(0), np.float32(0)
         for s in range(samples):

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
 from eyeline.geometry.arrays import FloatArray
 from eyeline.shading.light_table import light_table
-from eyeline.shading.openness import MOST_PIXELS, Openness, openness_of
-from eyeline.shading.region import Region, region_of
+from eyeline.shading.openness import MOST_PIXELS, REACH_PART, Openness, openness_of
+from eyeline.shading.region import Region, on_floor, region_of
 from eyeline.shading.shadow_map import BLOCK, ShadowMaps, shadow_maps
 from eyeline.shading.studio import lighting_of
 
@@ -16,6 +18,7 @@ if TYPE_CHECKING:
 
 MOST_MAPS = 12  # of all lights that cast shadows; a light all around takes six
 LEAST_TEXELS, MOST_TEXELS = 256, 1024
+EDGE = 8  # pixels around what can darken the floor, for the softness of its outline
 
 
 class Stage(NamedTuple):
@@ -26,7 +29,7 @@ class Stage(NamedTuple):
     shadows: ShadowMaps
     openness: Openness
     sight: FloatArray  # (4,) see `prepare`
-    region: Region  # what the scene and its shadow on the floor can touch
+    region: Region  # where the floor can be darker
 
 
 def stage_of(frame: Frame) -> Stage:
@@ -40,10 +43,13 @@ def stage_of(frame: Frame) -> Stage:
     fineness = min(frame.size) / (2 if lighting.studio else 1)
     texels = min(max(round(fineness / BLOCK) * BLOCK, LEAST_TEXELS), MOST_TEXELS)
     shadows = shadow_maps(frame.scene, casting, len(lighting.lights), eye, texels, MOST_MAPS)
-    diagonal = frame.scene.bounds.diagonal or 1.0
+    bounds = frame.scene.bounds
+    diagonal = bounds.diagonal or 1.0
     to_light = casting[0].world_from_light[:3, 2] if casting and lighting.studio else None
-    region = region_of(frame.scene, frame.projected, frame.floor, to_light, 2 * MOST_PIXELS)
-    openness = openness_of(frame.visibles[0][0], frame.floor, region, diagonal, frame.look.occlusion)
+    corners = bounds.corners if not bounds.is_empty else np.zeros((0, 3))
+    near = region_of(corners, frame.projected, 2 * MOST_PIXELS)
+    openness = openness_of(frame.visibles[0][0], frame.floor, near, diagonal, frame.look.occlusion)
+    floor = region_of(on_floor(bounds, to_light, REACH_PART * diagonal), frame.projected, EDGE)
     return Stage(
-        light_table(lighting.lights, eye), lighting.environment, shadows, openness, frame.sight, region
+        light_table(lighting.lights, eye), lighting.environment, shadows, openness, frame.sight, floor
     )  # fmt: skip

@@ -69,17 +69,23 @@ def list_distinct(faces, shifts, first_pixel, width, of_sample, pixel, face, x, 
     samples, count = faces.shape
     total = 0
     for p in range(count):
+        first = faces[0, p]
+        agreed = True
+        for s in range(1, samples):
+            agreed = agreed and faces[s, p] == first
+        if agreed and first < 0:
+            for s in range(samples):
+                of_sample[s, p] = -1
+            continue
         for s in range(samples):
             seen = faces[s, p]
             of_sample[s, p] = -1
-            if seen < 0:
-                continue
             # A sample that sees what an earlier one saw belongs to that point
             for earlier in range(s):
                 if faces[earlier, p] == seen:
                     of_sample[s, p] = of_sample[earlier, p]
                     break
-            if of_sample[s, p] >= 0:
+            if seen < 0 or of_sample[s, p] >= 0:
                 continue
             dx, dy, alike = 0.0, 0.0, 0
             for later in range(s, samples):
