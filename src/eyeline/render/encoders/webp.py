@@ -35,7 +35,7 @@ class WebP:
     name: str = ".webp"
     resumes: bool = False
     quality: int = 85  # 0 to 100
-    effort: int = 2  # 0 to 6: "method 2" takes a third of the time of the default for a tenth more bytes
+    effort: int = 2  # 0 to 6: 2 takes 0.4 of the time of 4, the default, for a tenth more bytes
 
     @contextmanager
     def __call__(self, path: Path, job: Job, resume: bool = False) -> Iterator[WebPSink]:
