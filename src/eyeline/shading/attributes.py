@@ -8,13 +8,11 @@ import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
 from eyeline.jit import helper, kernel
-from eyeline.shading.barycentric import corners_of, edges_of, mixed, shares_at
+from eyeline.shading.barycentric import corners_of, edges_of, material_of, mixed, shares_at, surface_of
 from eyeline.shading.encoding import DECODED
 from eyeline.shading.geometry_table import (
     COLORS,
-    FACE_MATERIAL,
     FACES,
-    MATERIAL,
     MIRRORED,
     NORMAL,
     NORMALS,
@@ -48,7 +46,7 @@ from eyeline.shading.lanes import (
 from eyeline.shading.material_table import BASE, BLENDED, EMISSION, METAL, NO_LIGHT, ROUGH
 from eyeline.shading.reflectance import prepare
 from eyeline.shading.surface_points import SurfacePoints
-from eyeline.shading.texturing import has_textures, texture_point
+from eyeline.shading.texturing import has_textures, lay_textures
 
 if TYPE_CHECKING:
     from eyeline.shading.frame import Frame
@@ -59,14 +57,16 @@ def attributes_of(frame: Frame, points: SurfacePoints) -> FloatArray:
     count = len(points)
     lanes, painted = np.empty((ROWS, max(count, 1)), np.float32), np.full(max(count, 1), -1)
     where = points.face, points.x, points.y
-    gather(frame.geometry, frame.materials, DECODED, where, 0, count, False, lanes, painted)
+    gather(frame.geometry, frame.materials, where, 0, count, False, lanes, painted)
+    if frame.textured:
+        lay_textures(frame.geometry, frame.materials, DECODED, where, 0, count, lanes)
     prepare(lanes, count, frame.sight)
     return lanes
 
 
 @kernel
-def gather(geometry, materials, decoded, points, begin, end, faceted, lanes, painted):
-    """Fill the lanes of points begin .. end; points: their (face, x, y) arrays.
+def gather(geometry, materials, points, begin, end, faceted, lanes, painted):
+    """Fill the lanes of points begin .. end, but for textures; points: their (face, x, y) arrays.
 
     faceted: the face's own normal in place of the interpolated one. painted: of each lane, the material whose
     plain numbers it still holds from the tile before, or -1.
@@ -85,15 +85,13 @@ def gather(geometry, materials, decoded, points, begin, end, faceted, lanes, pai
             # A mirrored surface shows its front clockwise
             side = -1.0 if clockwise != (geometry.places[surface, MIRRORED] != 0) else 1.0
             facing = face_normal(geometry.matrices, surface, geometry.points, first, corners, side)
-            material = geometry.places[surface, MATERIAL]
-            if geometry.places[surface, FACE_MATERIAL] >= 0:
-                material += geometry.face_material[geometry.places[surface, FACE_MATERIAL] + face]
+            material = material_of(geometry, surface, face)
             textured = has_textures(materials.slots, material)
             first_normal = geometry.places[surface, NORMALS]
             flat = faceted or first_normal < 0
             first_color = geometry.places[surface, COLORS]
             coloured = first_color >= 0
-        shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
+        shares, _ = shares_at(edges, float(xs[point]), float(ys[point]))
         write_place(geometry.matrices, surface, geometry.points, first, corners, shares, lanes, lane)
         lanes[GX, lane], lanes[GY, lane], lanes[GZ, lane] = facing
         if flat:
@@ -115,38 +113,8 @@ def gather(geometry, materials, decoded, points, begin, end, faceted, lanes, pai
         painted[lane] = -1 if coloured or textured else material
         if coloured:
             tint(geometry.colors, first_color, corners, shares, lanes, lane)
-        if textured:
-            texture_point(
-                geometry,
-                materials,
-                decoded,
-                surface,
-                material,
-                corners,
-                edges,
-                shares,
-                scale,
-                side,
-                lanes,
-                lane,
-            )
-        if (coloured or textured) and materials.factors[material, BLENDED] > 0:
-            lanes[ALPHA, lane] = lanes[COVER, lane]
-
-
-@helper
-def surface_of(first_faces, face, likely):
-    """The surface a scene face belongs to, looked for first where the last one was."""
-    if first_faces[likely] <= face < first_faces[likely + 1]:
-        return likely
-    low, high = 0, first_faces.shape[0] - 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        if first_faces[middle] <= face:
-            low = middle
-        else:
-            high = middle
-    return low
+            if materials.factors[material, BLENDED] > 0:
+                lanes[ALPHA, lane] = lanes[COVER, lane]
 
 
 @helper

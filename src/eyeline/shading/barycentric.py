@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from eyeline.jit import helper
+from eyeline.shading.geometry_table import FACE_MATERIAL, MATERIAL
 
 
 @helper
@@ -58,3 +59,27 @@ def mixed(values, width, column, first, corners, shares):
     a = values[width * (first + corners[0]) + column] * shares[0]
     b = values[width * (first + corners[1]) + column] * shares[1]
     return a + b + values[width * (first + corners[2]) + column] * shares[2]
+
+
+@helper
+def surface_of(first_faces, face, likely):
+    """The surface a scene face belongs to, looked for first where the last one was."""
+    if first_faces[likely] <= face < first_faces[likely + 1]:
+        return likely
+    low, high = 0, first_faces.shape[0] - 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if first_faces[middle] <= face:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+@helper
+def material_of(geometry, surface, face):
+    """The row of the material of a surface's own face."""
+    material = geometry.places[surface, MATERIAL]
+    if geometry.places[surface, FACE_MATERIAL] >= 0:
+        material += geometry.face_material[geometry.places[surface, FACE_MATERIAL] + face]
+    return material

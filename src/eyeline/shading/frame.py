@@ -60,6 +60,11 @@ class Frame:
         return self._materials[0]
 
     @cached_property
+    def textured(self) -> bool:
+        """Whether any material has a texture."""
+        return bool((self.materials.slots[..., 0] >= 0).any())
+
+    @cached_property
     def geometry(self) -> Geometry:
         """Every mesh, as flat arrays."""
         return geometry_of(self.projected, self._materials[1])

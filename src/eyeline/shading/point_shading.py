@@ -18,6 +18,7 @@ from eyeline.shading.openness import look_up
 from eyeline.shading.reflectance import add_light, prepare
 from eyeline.shading.shadow import arrive
 from eyeline.shading.surface_points import SurfacePoints
+from eyeline.shading.texturing import lay_textures
 from eyeline.shading.tone import show
 
 if TYPE_CHECKING:
@@ -38,7 +39,9 @@ def colours_of(frame: Frame, stage: Stage, points: SurfacePoints, faceted: bool 
     for begin in range(0, count, TILE):
         end = min(count, begin + TILE)
         size = end - begin
-        gather(frame.geometry, frame.materials, DECODED, where, begin, end, faceted, lanes, painted)
+        gather(frame.geometry, frame.materials, where, begin, end, faceted, lanes, painted)
+        if frame.textured:
+            lay_textures(frame.geometry, frame.materials, DECODED, where, begin, end, lanes)
         prepare(lanes, size, stage.sight)
         look_up(lanes, size, stage.openness)
         add_environment(lanes, size, stage.environment)

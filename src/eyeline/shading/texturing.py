@@ -1,4 +1,4 @@
-"""Every texture of a material, laid over the lanes of one point."""
+"""Every texture of a material, laid over the lanes of its points."""
 
 from __future__ import annotations
 
@@ -6,10 +6,11 @@ import math
 
 import numpy as np
 
-from eyeline.jit import helper
-from eyeline.shading.barycentric import mixed
-from eyeline.shading.geometry_table import MIRRORED, POINTS, TANGENTS, UV0, UV1, WORLD
+from eyeline.jit import helper, kernel
+from eyeline.shading.barycentric import corners_of, edges_of, material_of, mixed, shares_at, surface_of
+from eyeline.shading.geometry_table import FACES, MIRRORED, POINTS, TANGENTS, UV0, UV1, WORLD
 from eyeline.shading.lanes import (
+    ALPHA,
     BLUE,
     COVER,
     EMISSIVE_BLUE,
@@ -26,6 +27,7 @@ from eyeline.shading.lanes import (
 )
 from eyeline.shading.material_table import (
     BASE_SLOT,
+    BLENDED,
     EMISSION_SLOT,
     METAL_SLOT,
     NORMAL_SCALE,
@@ -35,6 +37,33 @@ from eyeline.shading.material_table import (
 )
 from eyeline.shading.sampling import footprint_level, sampled
 from eyeline.shading.texture_table import HEIGHT, LEVELS, WIDTH
+
+
+@kernel
+def lay_textures(geometry, materials, decoded, points, begin, end, lanes):
+    """Change the lanes of points begin .. end, which `gather` filled, by the textures of their materials."""
+    faces, xs, ys = points
+    surface, current = 0, -1
+    for point in range(begin, end):
+        lane = point - begin
+        if faces[point] != current:
+            current = faces[point]
+            surface = surface_of(geometry.first_faces, current, surface)
+            face = current - geometry.first_faces[surface]
+            material = material_of(geometry, surface, face)
+            textured = has_textures(materials.slots, material)
+            corners = corners_of(geometry.faces, geometry.places[surface, FACES] + face)
+            first = geometry.places[surface, POINTS]
+            edges, clockwise = edges_of(geometry.matrices, surface, geometry.points, first, corners)
+            side = -1.0 if clockwise != (geometry.places[surface, MIRRORED] != 0) else 1.0
+        if not textured:
+            continue
+        shares, scale = shares_at(edges, float(xs[point]), float(ys[point]))
+        texture_point(
+            geometry, materials, decoded, surface, material, corners, edges, shares, scale, side, lanes, lane
+        )
+        if materials.factors[material, BLENDED] > 0:
+            lanes[ALPHA, lane] = lanes[COVER, lane]
 
 
 @helper
