@@ -70,18 +70,18 @@ def arriving(maps, index, x, y, z, normal):
     slope_u, slope_v = plane_slopes(rows, index, x, y, z, normal, unit)
     start = index * (size * size + size * size // 4)
     here += SLACK * unit + SLACK_OF_SLOPE * (abs(slope_u) + abs(slope_v))
-    if state == CALM:
+    found, depth_of_found = 0, ZERO
+    if state != CALM:
+        found, depth_of_found = blockers(maps.depth, start, size, u, v, here, slope_u, slope_v)
+    if found == 0:
         column, row = int(u), int(v)
         # Nothing, depth 0, shades nothing, not even what lies beyond all depth
         limit = max(here + slope_u * (column + 0.5 - u) + slope_v * (row + 0.5 - v), 0.0)
         return ZERO if maps.depth[start + row * size + column] > limit else ONE
-    found, depth_of_found = blockers(maps.depth, start, size, u, v, here, slope_u, slope_v)
     if found == SEARCHED * SEARCHED:
         return ZERO
-    radius = NARROWEST
-    if found > 0:
-        wide = (depth_of_found / found - here) * rows[index, WIDENING]
-        radius = min(max(wide, NARROWEST), WIDEST)
+    wide = (depth_of_found / found - here) * rows[index, WIDENING]
+    radius = min(max(wide, NARROWEST), WIDEST)
     if radius > REACH:
         return filtered(maps.depth, start + size * size, size // 2, 1, u, v, here, slope_u, slope_v, radius)
     return filtered(maps.depth, start, size, 0, u, v, here, slope_u, slope_v, radius)

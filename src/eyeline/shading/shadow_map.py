@@ -22,6 +22,7 @@ from eyeline.visibility.zbuffer import ZBuffer
 
 BLOCK = 8  # texels; as far as the widest filter reaches. A map has nothing of its own so near its border
 LEVELS = 2  # of the map: every texel, and every second for filters that reach twice as far
+OUTLINE = 3.0  # texels of depth; what stands out less has no outline that a filter could soften
 EMPTY, CALM, EDGY = 0, 1, 2  # what a block and its neighbours hold: nothing, one smooth surface, an outline
 # Columns of `rows`: map_from_place (4, 4), by rows, to u w, v w, depth w, w in texels from places seen
 # from the eye; the first three rows of its inverse transpose (3, 4), which moves planes; and numbers
@@ -136,7 +137,7 @@ def _blocks(depth: FloatArray, row: FloatArray, size: int) -> ByteArray:
 
 @kernel
 def mark_blocks(depth, size, unit, unit_by_depth, own, part, parts):
-    """Fill own with EMPTY, CALM or EDGY: an outline is where depth bends by more than a texel's width."""
+    """Fill own with EMPTY, CALM or EDGY: an outline is where depth bends by more than OUTLINE."""
     count = own.shape[0]
     for block_row in range(part, count, parts):
         for block in range(count):
@@ -150,7 +151,7 @@ def mark_blocks(depth, size, unit, unit_by_depth, own, part, parts):
                     across = depth[y * size + max(x - 1, 0)] + depth[y * size + min(x + 1, size - 1)]
                     down = depth[above * size + x] + depth[below * size + x]
                     bend = max(abs(across - here - here), abs(down - here - here))
-                    bent = max(bent, bend - np.float32(unit + unit_by_depth * here))
+                    bent = max(bent, bend - np.float32(OUTLINE * (unit + unit_by_depth * here)))
                     most = max(most, max(here, max(across, down)))
                 if bent > 0:
                     own[block_row, block] = EDGY

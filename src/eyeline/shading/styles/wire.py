@@ -10,8 +10,8 @@ import numpy as np
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.jit import kernel
 from eyeline.scene.material import Colour
-from eyeline.shading.attributes import attributes_of, surface_of
-from eyeline.shading.barycentric import corners_of, edges_of, shares_at
+from eyeline.shading.attributes import attributes_of
+from eyeline.shading.barycentric import corners_of, edges_of, shares_at, surface_of
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.geometry_table import FACES, POINTS
 from eyeline.shading.lanes import NX, NY, NZ, VX, VY, VZ
