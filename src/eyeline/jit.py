@@ -202,6 +202,11 @@ def _pool() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(max(1, threads() - 1), thread_name_prefix="eyeline")
 
 
+if hasattr(os, "register_at_fork"):
+    # Threads do not follow into a forked process: work shared there would wait for them for ever
+    os.register_at_fork(after_in_child=_pool.cache_clear)
+
+
 def share(task: Callable[[int], Result], parts: int) -> list[Result]:
     """[task(0), ... task(parts - 1)], side by side; part 0 on the caller's thread.
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Literal, get_args
 
 import numpy as np
 import numpy.typing as npt
 
+from eyeline.cached import cached_property
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import FloatArray
 from eyeline.motion.bundle import Bundle

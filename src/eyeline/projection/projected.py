@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
 from eyeline.scene.camera import Camera

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
-from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.errors import OptionError, SceneError
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.geometry.bounds import Bounds

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from functools import cached_property
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
+from eyeline.cached import cached_property
 from eyeline.errors import GeometryError
 from eyeline.geometry.arrays import FloatArray, IntArray, float_rows, index_rows
 from eyeline.geometry.bounds import Bounds

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
+from eyeline.cached import cached_property
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.camera import Camera

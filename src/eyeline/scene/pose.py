@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.hierarchy import world_from_nodes

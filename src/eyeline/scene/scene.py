@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 
+from eyeline.cached import cached_property
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.bounds import Bounds

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
 from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected

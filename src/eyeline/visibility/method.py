@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
 from eyeline.jit import kernel, share, threads
 from eyeline.projection.projected import Projected

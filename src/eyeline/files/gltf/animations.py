@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from functools import cached_property
 
 import numpy as np
 
+from eyeline.cached import cached_property
 from eyeline.files.gltf.accessors import Accessors
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.materials import emissive_strength

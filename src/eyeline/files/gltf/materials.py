@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
 from typing import cast
 
+from eyeline.cached import cached_property
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.names import unique
 from eyeline.files.gltf.part import Part
