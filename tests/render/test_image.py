@@ -9,6 +9,7 @@ import pytest
 
 import eyeline as el
 from eyeline.errors import EyelineError
+from eyeline.render import png
 
 
 def noise(height: int = 12, width: int = 20, opaque: bool = True) -> np.ndarray:
@@ -25,6 +26,21 @@ def test_png_gives_back_every_pixel(tmp_path: Path, opaque: bool) -> None:
     with PIL.Image.open(tmp_path / "a.png") as picture:
         assert picture.mode == ("RGB" if opaque else "RGBA")
         assert np.array_equal(np.asarray(picture.convert("RGBA")), pixels)
+
+
+def test_a_png_of_many_bands_is_whole_and_the_same_for_every_count_of_threads(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pixels = noise(height=1200, width=301)
+    files = []
+    for count in (1, 2):
+        monkeypatch.setattr(png, "threads", lambda count=count: count)
+        files.append(png.png_of(pixels))
+    assert files[0] == files[1]
+    with PIL.Image.open(io.BytesIO(files[0])) as picture:
+        picture.verify()
+    with PIL.Image.open(io.BytesIO(files[0])) as picture:
+        assert np.array_equal(np.asarray(picture), pixels)
 
 
 @pytest.mark.parametrize(("suffix", "kind"), [(".jpg", "JPEG"), (".JPEG", "JPEG"), (".webp", "WEBP")])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+
 import typer
 
 from eyeline.cli.demo import demo
@@ -14,6 +16,7 @@ app = typer.Typer(
     help="3D animation that knows what the viewer sees: pictures, films and data without a GPU.",
     no_args_is_help=True,
     add_completion=False,
+    rich_markup_mode="rich" if sys.stdout is not None and sys.stdout.isatty() else None,  # plain in a pipe
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )

@@ -6,7 +6,6 @@ import json as encoding
 import platform
 import sys
 import time
-from importlib import metadata
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -69,6 +68,8 @@ def processor() -> str:
 
 def installed(name: str) -> str:
     """The version of a library, or that it is not there."""
+    from importlib import metadata
+
     try:
         return metadata.version(name)
     except metadata.PackageNotFoundError:

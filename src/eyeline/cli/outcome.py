@@ -8,9 +8,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
-import tempfile
 import threading
-import traceback
 from collections.abc import Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -109,6 +107,9 @@ def refuse(sentence: str) -> int:
 
 def confess(reason: Exception, debug: bool) -> int:
     """Say that the fault is ours, and where the traceback is."""
+    import tempfile
+    import traceback
+
     told = "".join(traceback.format_exception(reason))
     where = "it stands above"
     if debug:

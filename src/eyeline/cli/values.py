@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-import numpy as np
 import typer
 
 from eyeline.errors import OptionError
@@ -48,6 +47,8 @@ def background_of(text: str) -> Any:
         raise OptionError(
             f"background is {text!r}; studio, transparent, or a colour such as white or '#203040' is needed"
         ) from None
+    import numpy as np
+
     from eyeline.shading.encoding import linear_from_srgb
 
     return tuple(linear_from_srgb(np.array(shown) / 255).tolist())

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import secrets
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -17,7 +17,7 @@ def whole_file(path: Path) -> Iterator[Path]:
     On any error, or Ctrl-C, the unfinished file is removed and an older `path` stays as it was.
     """
     refuse_place(path)
-    unfinished = path.with_name(f".{path.stem}-{secrets.token_hex(4)}{path.suffix}")
+    unfinished = path.with_name(f".{path.stem}-{os.urandom(4).hex()}{path.suffix}")
     try:
         unfinished.touch(exist_ok=False)
         yield unfinished
