@@ -1,7 +1,7 @@
 """The light around a scene: a bright ceiling, a darker floor, and a soft box overhead, in closed form.
 
 Matt surfaces see it gathered over a hemisphere; mirrors see it blurred by their roughness, dimmed by the
-split sum's second factor. [Karis13; Karis14]
+split sum's second factor, with what is thrown on after several bounces. [Karis13; Karis14; Turquin19]
 """
 
 from __future__ import annotations
@@ -72,6 +72,8 @@ def add_environment(lanes, count, parts):
         a = min(smooth * smooth, power) * smooth + np.float32(0.0425) - np.float32(0.0275) * roughness
         scale = np.float32(-1.04) * a + np.float32(1.04) - np.float32(0.572) * roughness
         offset = np.float32(1.04) * a + np.float32(0.022) * roughness - np.float32(0.04)
+        # For each part of a white mirror's light that leaves after one bounce, what leaves after several
+        bounced = ONE / (scale + offset) - ONE
         # What a mirror of this roughness sees
         horizon = HORIZON + HORIZON_BLUR * roughness
         up = min(max(HALF + HALF * ry / horizon, ZERO), ONE)
@@ -89,20 +91,23 @@ def add_environment(lanes, count, parts):
         metallic = lanes[METALLIC, i]
         matt = (ONE - metallic) * (ONE - DIELECTRIC)
         base = lanes[RED, i]
-        mirror = ((DIELECTRIC + (base - DIELECTRIC) * metallic) * scale + offset) * open_mirror
+        zero = DIELECTRIC + (base - DIELECTRIC) * metallic
+        mirror = (zero * scale + offset) * (ONE + zero * bounced) * open_mirror
         seen = floor_red + (ceiling_red - floor_red) * up + box_red * box
         lanes[OUT_RED, i] = (
             base * matt * (ceiling_red * half_up + floor_red * half_down + box_red * half_box) + mirror * seen
         )
         base = lanes[GREEN, i]
-        mirror = ((DIELECTRIC + (base - DIELECTRIC) * metallic) * scale + offset) * open_mirror
+        zero = DIELECTRIC + (base - DIELECTRIC) * metallic
+        mirror = (zero * scale + offset) * (ONE + zero * bounced) * open_mirror
         seen = floor_green + (ceiling_green - floor_green) * up + box_green * box
         lanes[OUT_GREEN, i] = (
             base * matt * (ceiling_green * half_up + floor_green * half_down + box_green * half_box)
             + mirror * seen
         )
         base = lanes[BLUE, i]
-        mirror = ((DIELECTRIC + (base - DIELECTRIC) * metallic) * scale + offset) * open_mirror
+        zero = DIELECTRIC + (base - DIELECTRIC) * metallic
+        mirror = (zero * scale + offset) * (ONE + zero * bounced) * open_mirror
         seen = floor_blue + (ceiling_blue - floor_blue) * up + box_blue * box
         lanes[OUT_BLUE, i] = (
             base * matt * (ceiling_blue * half_up + floor_blue * half_down + box_blue * half_box)

@@ -1,7 +1,7 @@
 """How much of a light a surface throws to the eye: metallic-roughness over whole vectors of points.
 
-Lambert under a GGX coat with Smith's joint masking and Schlick's Fresnel.
-[glTF 2.0, appendix B; Walter07; Heitz14]
+Lambert under a GGX coat with Smith's joint masking and Schlick's Fresnel, and what the coat throws on after
+more than one bounce. [glTF 2.0, appendix B; Walter07; Heitz14; Turquin19]
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from eyeline.jit import kernel
+from eyeline.jit import helper, kernel
 from eyeline.shading.lanes import (
     BLUE,
     GREEN,
@@ -117,6 +117,7 @@ def add_light(lanes, count, lights, row):
             to_light * to_light * rest + a2
         )
         lobe *= HALF / masked
+        bounced = bounced_for_one(to_eye, lanes[ROUGHNESS, i] * lanes[ROUGHNESS, i])
         fresnel = grazing * grazing * grazing * grazing * grazing
         # Metals colour their mirror and have no matt under it
         metallic = lanes[METALLIC, i]
@@ -124,12 +125,25 @@ def add_light(lanes, count, lights, row):
         base = lanes[RED, i]
         zero = DIELECTRIC + (base - DIELECTRIC) * metallic
         f = zero + (ONE - zero) * fresnel
-        lanes[OUT_RED, i] += ((ONE - f) * base * matt + f * lobe) * arriving * red
+        lanes[OUT_RED, i] += ((ONE - f) * base * matt + f * lobe * (ONE + zero * bounced)) * arriving * red
         base = lanes[GREEN, i]
         zero = DIELECTRIC + (base - DIELECTRIC) * metallic
         f = zero + (ONE - zero) * fresnel
-        lanes[OUT_GREEN, i] += ((ONE - f) * base * matt + f * lobe) * arriving * green
+        lanes[OUT_GREEN, i] += (
+            ((ONE - f) * base * matt + f * lobe * (ONE + zero * bounced)) * arriving * green
+        )
         base = lanes[BLUE, i]
         zero = DIELECTRIC + (base - DIELECTRIC) * metallic
         f = zero + (ONE - zero) * fresnel
-        lanes[OUT_BLUE, i] += ((ONE - f) * base * matt + f * lobe) * arriving * blue
+        lanes[OUT_BLUE, i] += ((ONE - f) * base * matt + f * lobe * (ONE + zero * bounced)) * arriving * blue
+
+
+@helper
+def bounced_for_one(to_eye, alpha):
+    """What leaves a white mirror after several bounces, for each part that leaves after one. [Turquin19]
+
+    A fit to 1 / E - 1, with E the part of the light of an even sky that the lobe alone throws to the eye.
+    """
+    first = np.float32(0.397) + to_eye * (np.float32(1.087) - np.float32(1.862) * to_eye)
+    second = np.float32(-0.395) + to_eye * (np.float32(1.636) + np.float32(1.32) * to_eye)
+    return alpha * (first + alpha * second)
