@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from eyeline import errors, samples
     from eyeline.files import load
-    from eyeline.motion import Clip
+    from eyeline.motion import Clip, Curve, Track
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
     from eyeline.render.image import Image
@@ -34,6 +34,7 @@ _HOMES = {
     "STYLES": "eyeline.shading.styles",
     "Camera": "eyeline.scene.camera",
     "Clip": "eyeline.motion",
+    "Curve": "eyeline.motion",
     "Film": "eyeline.render.film",
     "Image": "eyeline.render.image",
     "Light": "eyeline.scene.light",
@@ -45,6 +46,7 @@ _HOMES = {
     "Skin": "eyeline.scene.skin",
     "Texture": "eyeline.scene.texture",
     "TextureSlot": "eyeline.scene.texture",
+    "Track": "eyeline.motion",
     "errors": "eyeline.errors",
     "film": "eyeline.render.film",
     "load": "eyeline.files",
@@ -59,6 +61,7 @@ __all__ = [
     "STYLES",
     "Camera",
     "Clip",
+    "Curve",
     "Film",
     "Image",
     "Light",
@@ -70,6 +73,7 @@ __all__ = [
     "Skin",
     "Texture",
     "TextureSlot",
+    "Track",
     "__version__",
     "errors",
     "film",
