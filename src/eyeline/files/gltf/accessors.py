@@ -11,8 +11,8 @@ import numpy.typing as npt
 from eyeline.errors import FileError
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
-from eyeline.files.gltf.limits import LARGEST
 from eyeline.files.gltf.part import Part, spoken
+from eyeline.files.limits import LARGEST
 from eyeline.geometry.arrays import FloatArray, IntArray
 
 Numbers = npt.NDArray[Any]

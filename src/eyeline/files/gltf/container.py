@@ -9,7 +9,7 @@ from typing import Any, NoReturn
 import numpy as np
 
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import JSON_BYTES
+from eyeline.files.limits import JSON_BYTES
 from eyeline.geometry.arrays import ByteArray
 
 MAGIC = b"glTF"

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.container import opened
-from eyeline.files.gltf.limits import NUMBERS, NUMBERS_PER_BYTE, PIXELS, PIXELS_PER_BYTE, Allowance
 from eyeline.files.gltf.notes import Notes
 from eyeline.files.gltf.part import Part, spoken
+from eyeline.files.limits import NUMBERS, NUMBERS_PER_BYTE, PIXELS, PIXELS_PER_BYTE, Allowance
 from eyeline.geometry.arrays import ByteArray
 
 

@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-import io
-import warnings
 from dataclasses import dataclass, field
 
-import numpy as np
-from PIL import Image
-
-from eyeline.errors import FileError
 from eyeline.files.gltf.addresses import beside, embedded, present
 from eyeline.files.gltf.buffers import Buffers
 from eyeline.files.gltf.document import Document
-from eyeline.files.gltf.limits import IMAGE_PIXELS
 from eyeline.files.gltf.part import Part, spoken
+from eyeline.files.pictures import decoded
 from eyeline.geometry.arrays import ByteArray
 
-FORMATS = ("PNG", "JPEG", "WEBP")
+FORMATS = ("PNG", "JPEG", "WebP")
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +27,9 @@ class Images:
         if index not in self._images:
             part = self.document.one("images", index, place)
             data = self._encoded(part)
-            self._images[index] = None if data is None else self._decoded(part, data)
+            self._images[index] = (
+                None if data is None else decoded(data, part.place, FORMATS, self.document.pixels)
+            )
         return self._images[index]
 
     def _encoded(self, part: Part) -> bytes | None:
@@ -51,36 +47,3 @@ class Images:
             data = path.read_bytes()
             self.document.count(len(data))
         return data
-
-    def _decoded(self, part: Part, data: bytes) -> ByteArray:
-        # Pillow warns of large images; ours are counted and refused instead
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            try:
-                with Image.open(io.BytesIO(data), formats=FORMATS) as image:
-                    width, height = image.size
-                    if width * height > IMAGE_PIXELS:
-                        raise FileError(
-                            f"{part.place} has {width} x {height} pixels; at most {IMAGE_PIXELS:,} are read,"
-                            " so shrink it"
-                        )
-                    self.document.pixels.spend(width * height, part.place)
-                    return _rgba(image)
-            except Image.DecompressionBombError as error:
-                raise FileError(
-                    f"{part.place} has too many pixels; at most {IMAGE_PIXELS:,} are read"
-                ) from error
-            except (OSError, SyntaxError, ValueError, EOFError, IndexError, KeyError, TypeError) as error:
-                raise FileError(
-                    f"{part.place} is no PNG, JPEG or WebP image that can be read ({type(error).__name__});"
-                    " save it again"
-                ) from error
-
-
-def _rgba(image: Image.Image) -> ByteArray:
-    """(H, W, 4) uint8; deep greys lose their low bits; colour profiles are left aside, as the format asks."""
-    if image.mode.startswith("I"):
-        deep = np.asarray(image)
-        grey = (deep >> 8).clip(0, 255).astype(np.uint8)
-        return np.dstack([grey, grey, grey, np.full_like(grey, 255)])
-    return np.array(image.convert("RGBA"))

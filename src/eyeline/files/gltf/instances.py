@@ -6,8 +6,8 @@ import numpy as np
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.accessors import Accessors
-from eyeline.files.gltf.limits import INSTANCES
 from eyeline.files.gltf.part import Part
+from eyeline.files.limits import INSTANCES
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 

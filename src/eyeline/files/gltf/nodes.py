@@ -13,12 +13,12 @@ from eyeline.files.gltf.cameras import camera_of
 from eyeline.files.gltf.document import Document
 from eyeline.files.gltf.instances import instances_of
 from eyeline.files.gltf.lights import light_of
-from eyeline.files.gltf.limits import FACES, INSTANCES, LARGEST
 from eyeline.files.gltf.meshes import Meshes
 from eyeline.files.gltf.part import Part, spoken
 from eyeline.files.gltf.skins import check_fit, skin_of
 from eyeline.files.gltf.targets import weights_of
 from eyeline.files.gltf.tree import Tree
+from eyeline.files.limits import FACES, INSTANCES, LARGEST
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.mesh import Mesh

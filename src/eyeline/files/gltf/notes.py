@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from eyeline.files.gltf.limits import NOTES
+from eyeline.files.limits import NOTES
 
 
 class Notes:

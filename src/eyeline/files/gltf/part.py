@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import LARGEST
+from eyeline.files.limits import LARGEST
 
 LONGEST_SPOKEN = 80  # characters; the longest number that JSON may hold is shorter
 

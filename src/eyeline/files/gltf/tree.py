@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from eyeline.errors import FileError
 from eyeline.files.gltf.document import Document
-from eyeline.files.gltf.limits import PATH_CHARACTERS
 from eyeline.files.gltf.part import Part, spoken
+from eyeline.files.limits import PATH_CHARACTERS
 
 
 @dataclass(frozen=True)

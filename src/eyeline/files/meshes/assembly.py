@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import LARGEST
+from eyeline.files.limits import LARGEST
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.normals import creased, unit
 from eyeline.geometry.weld import welded

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import io
-import warnings
 from pathlib import Path
 
-import numpy as np
-
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import IMAGE_PIXELS, Allowance
+from eyeline.files.limits import Allowance
 from eyeline.files.meshes.text import shortened
+from eyeline.files.pictures import decoded
 from eyeline.geometry.arrays import ByteArray
 
-FORMATS = ("PNG", "JPEG", "WEBP", "TGA", "BMP", "TIFF")
+FORMATS = ("PNG", "JPEG", "WebP", "TGA", "BMP", "TIFF")
 
 
 def beside(folder: Path, name: str) -> Path | None:
@@ -37,24 +34,6 @@ def beside(folder: Path, name: str) -> Path | None:
 
 def picture(path: Path, pixels: Allowance) -> ByteArray:
     """(H, W, 4) an image file; its size is looked at, and taken from the allowance, before it is decoded."""
-    from PIL import Image
-
     data = path.read_bytes()
     pixels.earn(len(data))
-    place = f"picture {shortened(path.name)!r}"
-    with warnings.catch_warnings():
-        # Pillow warns of large pictures; here they are refused
-        warnings.simplefilter("ignore")
-        try:
-            with Image.open(io.BytesIO(data), formats=FORMATS) as image:
-                width, height = image.size
-                if width * height > IMAGE_PIXELS:
-                    raise FileError(
-                        f"{place} has {width} x {height} pixels; at most {IMAGE_PIXELS:,} are read"
-                    )
-                pixels.spend(width * height, place)
-                return np.array(image.convert("RGBA"))
-        except Image.DecompressionBombError as error:
-            raise FileError(f"{place} has too many pixels; at most {IMAGE_PIXELS:,} are read") from error
-        except (OSError, SyntaxError, ValueError, EOFError, IndexError, KeyError, TypeError) as error:
-            raise FileError(f"{place} cannot be read; save it again as PNG") from error
+    return decoded(data, f"picture {shortened(path.name)!r}", FORMATS, pixels)

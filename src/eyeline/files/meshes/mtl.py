@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from eyeline.errors import FileError
-from eyeline.files.gltf.limits import LARGEST, PIXELS, PIXELS_PER_BYTE, Allowance
+from eyeline.files.limits import LARGEST, PIXELS, PIXELS_PER_BYTE, Allowance
 from eyeline.files.meshes.assembly import linear_from_bytes
 from eyeline.files.meshes.beside import beside, picture
 from eyeline.files.meshes.text import shortened, text_of
