@@ -22,6 +22,7 @@ from eyeline.shading.geometry_table import (
 from eyeline.shading.lanes import (
     ALPHA,
     BLUE,
+    COLUMN,
     COVER,
     EMISSIVE_BLUE,
     EMISSIVE_GREEN,
@@ -91,6 +92,7 @@ def gather(geometry, materials, points, begin, end, faceted, lanes, painted):
             flat = faceted or first_normal < 0
             first_color = geometry.places[surface, COLORS]
             coloured = first_color >= 0
+        lanes[COLUMN, lane] = xs[point]
         shares, _ = shares_at(edges, float(xs[point]), float(ys[point]))
         write_place(geometry.matrices, surface, geometry.points, first, corners, shares, lanes, lane)
         lanes[GX, lane], lanes[GY, lane], lanes[GZ, lane] = facing

@@ -9,7 +9,7 @@ import numpy as np
 from eyeline.geometry.arrays import ByteArray
 from eyeline.jit import kernel
 from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded
-from eyeline.shading.lanes import GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, SPARE, TILE, X, Y, Z
+from eyeline.shading.lanes import COLUMN, GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, SPARE, TILE, X, Y, Z
 from eyeline.shading.openness import look_up
 from eyeline.shading.shadow import arrive
 
@@ -69,6 +69,7 @@ def place_floor(lanes, pixels, window, place, below_eye, of_sample, strip_top, w
             per_w = 1.0 / w
             pixels[count] = start + column
             lanes[X, count] = (place[0, 0] * across + place[0, 1] * down + place[0, 2]) * per_w
+            lanes[COLUMN, count] = column
             lanes[Y, count] = below_eye
             lanes[Z, count] = (place[1, 0] * across + place[1, 1] * down + place[1, 2]) * per_w
             lanes[NX, count], lanes[NY, count], lanes[NZ, count] = ZERO, ONE, ZERO

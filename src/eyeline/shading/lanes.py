@@ -26,4 +26,5 @@ VX, VY, VZ = 21, 22, 23
 LIT = 24
 OPEN = 25
 OUT_RED, OUT_GREEN, OUT_BLUE = 26, 27, 28
-ROWS = 29
+COLUMN = 29  # of the pixel, in the picture
+ROWS = 30

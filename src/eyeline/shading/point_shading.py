@@ -16,7 +16,7 @@ from eyeline.shading.environment import add_environment
 from eyeline.shading.lanes import ROWS, SPARE, TILE
 from eyeline.shading.openness import look_up
 from eyeline.shading.reflectance import add_light, prepare
-from eyeline.shading.shadow import arrive
+from eyeline.shading.shadow import GROUP, arrive
 from eyeline.shading.surface_points import SurfacePoints
 from eyeline.shading.texturing import lay_textures
 from eyeline.shading.tone import show
@@ -36,8 +36,9 @@ def colours_of(frame: Frame, stage: Stage, points: SurfacePoints, faceted: bool 
     lanes, painted = np.empty((ROWS, TILE + SPARE), np.float32), np.full(TILE, -1)
     where = points.face, points.x, points.y
     gain, neutral = np.float32(2.0**frame.look.exposure), np.float32(frame.look.tone == "neutral")
-    for begin in range(0, count, TILE):
-        end = min(count, begin + TILE)
+    begin = 0
+    while begin < count:
+        end = tile_end(points, begin)
         size = end - begin
         gather(frame.geometry, frame.materials, where, begin, end, faceted, lanes, painted)
         if frame.textured:
@@ -49,4 +50,15 @@ def colours_of(frame: Frame, stage: Stage, points: SurfacePoints, faceted: bool 
             arrive(lanes, size, stage.shadows, stage.lights, light)
             add_light(lanes, size, stage.lights, light)
         show(lanes, size, gain, neutral, colours, begin)
+        begin = end
     return colours
+
+
+def tile_end(points: SurfacePoints, begin: int) -> int:
+    """Where the tile ends that begins at a point: between groups of columns, so that no strip shows."""
+    end = min(len(points), begin + TILE)
+    if end < len(points):
+        groups = points.x[begin : end + 1].astype(np.int64) // GROUP
+        changes = np.flatnonzero(groups[1:] != groups[:-1])
+        end = begin + 1 + int(changes[-1]) if len(changes) else end
+    return end

@@ -11,7 +11,7 @@ import numpy as np
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
 from eyeline.geometry.bounds import Bounds
-from eyeline.jit import kernel, share, threads
+from eyeline.jit import helper, kernel, share, threads
 from eyeline.projection.project import project
 from eyeline.projection.projected import Projected
 from eyeline.scene.camera import Camera
@@ -22,6 +22,8 @@ from eyeline.visibility.zbuffer import ZBuffer
 
 BLOCK = 8  # texels; as far as the widest filter reaches. A map has nothing of its own so near its border
 LEVELS = 2  # of the map: every texel, and every second for filters that reach twice as far
+POOL = 4  # texels a side; a map ends with the nearest depth in each pool, so that nothing thin is missed
+TEXELS_OF_LEVELS = POOL * POOL + POOL * POOL // 4 + 1  # of a map, for each pool
 OUTLINE = 3.0  # texels of depth; what stands out less has no outline that a filter could soften
 EMPTY, CALM, EDGY = 0, 1, 2  # what a block and its neighbours hold: nothing, one smooth surface, an outline
 # Columns of `rows`: map_from_place (4, 4), by rows, to u w, v w, depth w, w in texels from places seen
@@ -41,7 +43,7 @@ class ShadowMaps(NamedTuple):
 
     size: int
     rows: FloatArray  # (M, 31) float64
-    depth: FloatArray  # flat float32, map after map, level after level; reversed, 0 is nothing
+    depth: FloatArray  # flat float32, map after map: its levels, then its pools; reversed, 0 is nothing
     blocks: ByteArray  # flat uint8, map after map, (size / BLOCK)^2 each: EMPTY, CALM or EDGY
     of_light: IntArray  # (L, 2) int64: each light's first map, and how many: 0, 1, or 6 for a cube
 
@@ -67,7 +69,9 @@ def shadow_maps(
             row, depth = _draw(scene, camera, placed, eye, size)
             rows.append(row)
             depths.extend(depth[:: 1 << level, :: 1 << level].reshape(-1) for level in range(LEVELS))
-            blocks.append(_blocks(depth.reshape(-1), row, size))
+            pools = np.empty((size // POOL) ** 2, np.float32)
+            blocks.append(_blocks(depth.reshape(-1), row, size, pools))
+            depths.append(pools)
     nothing = np.zeros(0, np.float32)
     return ShadowMaps(
         size,
@@ -123,12 +127,13 @@ def _depth_numbers(projected: Projected, placed: PlacedLight, diagonal: float, s
     return [0.0, width / size, placed.size * diagonal * size / (width * camera.near)]
 
 
-def _blocks(depth: FloatArray, row: FloatArray, size: int) -> ByteArray:
-    """What each block and its eight neighbours hold, flat."""
+def _blocks(depth: FloatArray, row: FloatArray, size: int, pools: FloatArray) -> ByteArray:
+    """What each block and its eight neighbours hold, flat; fills the pools, too."""
     count = size // BLOCK
     own = np.empty((count, count), np.uint8)
     parts = min(threads(), count)
-    share(lambda part: mark_blocks(depth, size, row[UNIT], row[UNIT_BY_DEPTH], own, part, parts), parts)
+    units = row[UNIT], row[UNIT_BY_DEPTH]
+    share(lambda part: mark_blocks(depth, size, units, own, pools, part, parts), parts)
     wide = np.pad(own, 1)
     around = np.stack([wide[y : y + count, x : x + count] for y in range(3) for x in range(3)])
     states: ByteArray = around.max(axis=0).reshape(-1)
@@ -136,10 +141,13 @@ def _blocks(depth: FloatArray, row: FloatArray, size: int) -> ByteArray:
 
 
 @kernel
-def mark_blocks(depth, size, unit, unit_by_depth, own, part, parts):
-    """Fill own with EMPTY, CALM or EDGY: an outline is where depth bends by more than OUTLINE."""
+def mark_blocks(depth, size, units, own, pools, part, parts):
+    """Fill own with EMPTY, CALM or EDGY: an outline is where depth bends by more than OUTLINE; and pools."""
+    unit, unit_by_depth = units
     count = own.shape[0]
     for block_row in range(part, count, parts):
+        for row in range(block_row * BLOCK // POOL, (block_row + 1) * BLOCK // POOL):
+            fill_pools(depth[row * POOL * size :], size, pools[row * (size // POOL) :])
         for block in range(count):
             own[block_row, block] = EMPTY
         for y in range(block_row * BLOCK, block_row * BLOCK + BLOCK):
@@ -157,3 +165,14 @@ def mark_blocks(depth, size, unit, unit_by_depth, own, part, parts):
                     own[block_row, block] = EDGY
                 elif most > 0 and own[block_row, block] == EMPTY:
                     own[block_row, block] = CALM
+
+
+@helper
+def fill_pools(rows, size, pools):
+    """The nearest of each POOL x POOL texels along the first rows."""
+    for pool in range(size // POOL):
+        nearest = np.float32(0)
+        for y in range(POOL):
+            for x in range(POOL):
+                nearest = max(nearest, rows[y * size + pool * POOL + x])
+        pools[pool] = nearest
