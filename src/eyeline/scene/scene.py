@@ -40,6 +40,11 @@ class Scene:
             if not -1 <= node.parent < index:
                 raise SceneError(f"node {index} ({node.name!r}) has parent {node.parent}; parents come first")
 
+    def __repr__(self) -> str:
+        """What it holds, in a line; its arrays and textures would fill pages."""
+        meshes = len({id(node.mesh) for node in self.nodes if node.mesh is not None})
+        return f"Scene({self.name!r}, nodes={len(self.nodes)}, meshes={meshes}, clips={len(self.clips)})"
+
     @classmethod
     def of(
         cls, *things: Mesh | Node | Camera | Light, clips: Iterable[Animation] = (), name: str = ""
