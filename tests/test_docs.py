@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -98,3 +99,11 @@ def test_the_architecture_names_every_room() -> None:
     text = (house.PROJECT / "ARCHITECTURE.md").read_text()
     rooms = {file.parent.name for file in house.PACKAGE.glob("*/__init__.py")}
     assert {room for room in rooms if f"`{room}`" not in text} == set()
+
+
+def test_the_architecture_lists_the_layers_that_are_checked() -> None:
+    rows = re.findall(r"^\| (`[\w.`, ]+`) \|", (house.PROJECT / "ARCHITECTURE.md").read_text(), re.MULTILINE)
+    listed = [set(re.findall(r"`(\w+)(?:\.py)?`", row)) for row in rows]
+    settings = tomllib.loads((house.PROJECT / "pyproject.toml").read_text())["tool"]["importlinter"]
+    layers = settings["contracts"][0]["layers"]
+    assert listed == [set(re.findall(r"eyeline\.(\w+)", layer)) for layer in layers]
