@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import hashlib
 import os
+import pickle
 import sys
 import threading
 import types
+import zlib
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache, cached_property, wraps
@@ -56,15 +58,18 @@ class Kernel:
     def _compile(self) -> Callable[..., Any]:
         import numba
 
-        # The body's globals name other kernels; Numba must find their dispatchers there.
         code = self.function.__code__
         scope = dict(self.function.__globals__)
-        for name in code.co_names:
-            if isinstance(scope.get(name), Kernel):
-                scope[name] = scope[name].compiled()
         function = types.FunctionType(code, scope, code.co_name, self.function.__defaults__)
         function.__module__ = self.function.__module__
         function.__qualname__ = self.function.__qualname__
+
+        def name_kernels() -> None:
+            # The body's globals name other kernels; Numba must find their dispatchers there.
+            for name in code.co_names:
+                if isinstance(scope.get(name), Kernel):
+                    scope[name] = scope[name].compiled()
+
         folder = cache_folder() if self.options.get("cache") else None
         kept = numba.config.CACHE_DIR
         numba.config.CACHE_DIR = str(folder or "")
@@ -72,16 +77,20 @@ class Kernel:
             dispatcher = numba.njit(**(self.options | {"cache": folder is not None}))(function)
         finally:
             numba.config.CACHE_DIR = kept
-        if folder is not None and not numba.config.DISABLE_JIT:
-            load_without_compiler(dispatcher)
+        if folder is None or numba.config.DISABLE_JIT:
+            name_kernels()
+        else:
+            load_without_compiler(dispatcher, name_kernels)
+            refuse_damage(dispatcher)
         return cast(Callable[..., Any], dispatcher)
 
 
-def load_without_compiler(dispatcher: Any) -> None:
+def load_without_compiler(dispatcher: Any, before_compiling: Callable[[], None]) -> None:
     """Let kept machine code be loaded without the compiler: a process's first picture comes 0.4 s sooner.
 
     Before Numba looks into its cache it imports all that it can compile, and scipy.linalg for that;
-    loading needs none of it, and a compilation that follows imports it anyway.
+    loading needs none of it, and a compilation that follows imports it anyway. Nor does loading need the
+    dispatchers of what a kernel calls: `before_compiling` makes them.
     """
     from numba.core.runtime import rtsys
 
@@ -89,10 +98,37 @@ def load_without_compiler(dispatcher: Any) -> None:
 
     def load_overload(signature: Any, target: Any) -> Any:
         rtsys.initialize(target)
-        with kept._guard_against_spurious_io_errors():
-            return kept._load_overload(signature, target)
+        try:
+            found = kept._load_overload(signature, target)
+        except Exception:  # a damaged file can end in any of them
+            announce("eyeline: a kept kernel is damaged; it is compiled again")
+            kept.flush()
+            found = None
+        if found is None:
+            before_compiling()
+        return found
 
     kept.load_overload = load_overload
+
+
+def refuse_damage(dispatcher: Any) -> None:
+    """Keep machine code with a check sum, for what a damaged file holds would run."""
+    from numba.core.serialize import dumps
+
+    form = dispatcher._cache._impl
+    reduce, rebuild = form.reduce, form.rebuild
+
+    def reduce_checked(result: Any) -> tuple[int, bytes]:
+        code = dumps(reduce(result))
+        return zlib.crc32(code), code
+
+    def rebuild_checked(target: Any, kept: tuple[int, bytes]) -> Any:
+        check, code = kept
+        if zlib.crc32(code) != check:
+            raise ValueError("the check sum is wrong")
+        return rebuild(target, pickle.loads(code))
+
+    form.reduce, form.rebuild = reduce_checked, rebuild_checked
 
 
 class Intrinsic(Kernel):

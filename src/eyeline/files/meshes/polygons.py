@@ -26,7 +26,7 @@ def triangulated(points: FloatArray, corners: IntArray, counts: IntArray) -> tup
     start = first[polygon]
     triangles = np.stack([start, start + step + 1, start + step + 2], axis=1)
     firsts = np.cumsum(pieces) - pieces
-    for size in np.unique(counts[counts > 3]):
+    for size in np.flatnonzero(np.bincount(counts[counts > 3])):
         alike = np.flatnonzero(counts == size)
         shapes = points[corners[first[alike, None] + np.arange(size)]].astype(np.float64)
         for k in np.flatnonzero(~convex(shapes)):
