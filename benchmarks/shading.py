@@ -1,7 +1,8 @@
 """A shaded picture at 1920x1080, against PyVista's `screenshot` on software OpenGL; and where our time goes.
 
 Both rivals have the mesh in their own arrays, turn the camera a little before each picture, so that nothing
-is kept from the last, and end with the picture in a numpy array, one sample a pixel.
+is kept from the last, and end with the picture in a numpy array, one sample a pixel. Three pairs: both plain,
+both with a floor, shadows and contact darkening, and our default look beside their plain one.
 `python -m benchmarks.shading [80k 1.3M]` measures them in turn.
 """
 
@@ -32,6 +33,8 @@ SIZE = (1920, 1080)
 COUNTS = {"80k": 80_000, "1.3M": 1_300_000}
 FOV = math.radians(30)
 DISTANCE = 5.0
+ROUNDS = 5
+PLAIN = Look(shadows=False, occlusion=0.0, ground="off")
 
 
 def place(turn: int) -> tuple[float, float, float]:
@@ -41,34 +44,43 @@ def place(turn: int) -> tuple[float, float, float]:
 
 
 class Ours:
-    """Visibility, shadows, floor, openness and light: the whole default look."""
+    """Visibility and light; by default with shadows, floor and openness."""
 
-    def __init__(self, points: np.ndarray, faces: np.ndarray, normals: np.ndarray) -> None:
-        self.scene = Scene.of(Mesh(points, faces, normals=normals))
+    def __init__(self, scene: Scene, look: Look) -> None:
+        self.scene, self.look = scene, look
         self.turn = 0
 
     def __call__(self) -> np.ndarray:
         """The next picture."""
         self.turn += 1
         projected = project(self.scene, Camera.look_at(place(self.turn), (0, 0, 0), fov=FOV), SIZE)
-        return shade(self.scene, projected, [(METHODS["zbuffer"](projected), 0, 0)], Look())
+        return shade(self.scene, projected, [(METHODS["zbuffer"](projected), 0, 0)], self.look)
 
 
 class PyVista:
-    """VTK's own smooth shading under its own light, no shadow, no floor."""
+    """VTK's smooth shading under its own light; `rich` adds a floor, shadows and SSAO."""
 
-    def __init__(self, points: np.ndarray, faces: np.ndarray, normals: np.ndarray) -> None:
+    def __init__(self, points: np.ndarray, faces: np.ndarray, normals: np.ndarray, rich: bool) -> None:
         os.environ["LIBGL_ALWAYS_SOFTWARE"] = "1"
         import pyvista
+        from vtkmodules.vtkCommonCore import vtkLogger
 
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         mesh = pyvista.PolyData.from_regular_faces(points, faces)
         mesh.point_data["Normals"] = normals
         mesh.point_data.active_normals_name = "Normals"
         self.plotter = pyvista.Plotter(off_screen=True, window_size=SIZE)
         self.plotter.add_mesh(mesh, color="white", smooth_shading=True)
+        if rich:
+            floor = pyvista.Plane(
+                center=(0, float(points[:, 1].min()), 0), direction=(0, 1, 0), i_size=40, j_size=40
+            )
+            self.plotter.add_mesh(floor, color="#d5d8db")
+            self.plotter.enable_shadows()
+            self.plotter.enable_ssao(radius=0.2, kernel_size=32)
         self.plotter.show(auto_close=False)
         self.turn = 0
-        self.name = f"PyVista {pyvista.__version__} screenshot, software GL"
+        self.name = f"PyVista {pyvista.__version__}, software GL"
 
     def __call__(self) -> np.ndarray:
         """The next picture."""
@@ -80,17 +92,26 @@ class PyVista:
         return np.asarray(self.plotter.screenshot(return_img=True))
 
 
-def measure(label: str) -> results.Row:
-    """One size, in turn."""
+def measure(label: str) -> list[results.Row]:
+    """One size: three pairs, each in turn."""
     points, faces = peers.bumpy_sphere(COUNTS[label])
     normals = vertex_normals(points, faces)
-    ours, theirs = Ours(points, faces, normals), PyVista(points, faces, normals)
-    duel = peers.alternate(ours, theirs, rounds=9 if COUNTS[label] < 1e6 else 5)
-    theirs.plotter.close()
-    what = f"shaded picture, 1920x1080, {label} faces"
-    print(f"{what}: {duel}   cores free {peers.free_cores():.2f}", flush=True)
-    stages(ours.scene, label)
-    return results.Row(what, duel.ours * 1e3, duel.theirs * 1e3, theirs.name, bar="<= 1/5")
+    scene = Scene.of(Mesh(points, faces, normals=normals))
+    rows = []
+    for kind, look, theirs_kind in (
+        ("plain", PLAIN, "plain"),
+        ("floor, shadows, openness", Look(), "floor, shadows, SSAO"),
+        ("floor, shadows, openness", Look(), "plain"),
+    ):
+        theirs = PyVista(points, faces, normals, theirs_kind != "plain")
+        duel = peers.alternate(Ours(scene, look), theirs, ROUNDS)
+        theirs.plotter.close()
+        what = f"picture 1920x1080, {label} faces, {kind}"
+        print(f"{what} / {theirs_kind}: {duel}   cores free {peers.free_cores():.2f}", flush=True)
+        against = f"{theirs.name}, {theirs_kind}"
+        rows.append(results.Row(what, duel.ours * 1e3, duel.theirs * 1e3, against, bar="<= 1/5"))
+    stages(scene, label)
+    return rows
 
 
 def stages(scene: Scene, label: str) -> None:
@@ -119,7 +140,7 @@ def stages(scene: Scene, label: str) -> None:
 
 def main(arguments: list[str]) -> None:
     """Measure and record."""
-    results.record("shading", [measure(label) for label in arguments or COUNTS])
+    results.record("shading", [row for label in arguments or COUNTS for row in measure(label)])
 
 
 if __name__ == "__main__":

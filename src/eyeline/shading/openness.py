@@ -250,19 +250,24 @@ def look_up(lanes, count, openness):
     values, distances = openness.open, openness.distance
     most_u = np.float32(width - 2)
     most_v = np.float32(values.shape[0] // width - 2)
+    places = np.empty((3, count), np.float32)
+    us, vs, aways = places[0], places[1], places[2]
+    xs, ys, zs = lanes[X], lanes[Y], lanes[Z]
     for i in range(count):
-        x, y, z = lanes[X, i], lanes[Y, i], lanes[Z, i]
+        x, y, z = xs[i], ys[i], zs[i]
         per_w = ONE / (m[2, 0] * x + m[2, 1] * y + m[2, 2] * z + m[2, 3])
         u = (m[0, 0] * x + m[0, 1] * y + m[0, 2] * z + m[0, 3]) * per_w
         v = (m[1, 0] * x + m[1, 1] * y + m[1, 2] * z + m[1, 3]) * per_w
-        away = m[3, 0] * x + m[3, 1] * y + m[3, 2] * z + m[3, 3]
         # Written so that a place at the eye, which is not a number here, falls into the margin
-        u, v = min(u if u > ZERO else ZERO, most_u), min(v if v > ZERO else ZERO, most_v)
-        column, row = np.int32(u), np.int32(v)
+        us[i], vs[i] = min(u if u > ZERO else ZERO, most_u), min(v if v > ZERO else ZERO, most_v)
+        aways[i] = m[3, 0] * x + m[3, 1] * y + m[3, 2] * z + m[3, 3]
+    for i in range(count):
+        u, v, away = us[i], vs[i], aways[i]
+        column, row = np.uint32(u), np.uint32(v)
         right, down = u - np.float32(column), v - np.float32(row)
-        a = row * width + column
-        b, c = a + 1, a + width
-        d = c + 1
+        a = np.uint64(row) * np.uint64(width) + np.uint64(column)
+        b, c = a + np.uint64(1), a + np.uint64(width)
+        d = c + np.uint64(1)
         lanes[OPEN, i] = ONE
         if values[a] == ONE and values[b] == ONE and values[c] == ONE and values[d] == ONE:
             continue

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray, IntArray
-from eyeline.jit import kernel
+from eyeline.jit import helper, kernel
 
 GRID = 256  # sample shifts are whole parts of a pixel
 
@@ -39,7 +39,7 @@ def distinct_points(
     """
     samples, count = faces.shape
     of_sample = np.empty((samples, count), np.int32)
-    room = count if samples == 1 else count_distinct(faces)
+    room = samples * count  # memory that nothing is written to costs nothing
     pixel, face = np.empty(room, np.int32), np.empty(room, np.int32)
     x, y = np.empty(room, np.float32), np.empty(room, np.float32)
     total = list_distinct(faces, shifts, first_pixel, width, of_sample, pixel, face, x, y)
@@ -47,56 +47,60 @@ def distinct_points(
 
 
 @kernel
-def count_distinct(faces):
-    """How many (pixel, face) there are."""
-    samples, count = faces.shape
-    total = 0
-    for p in range(count):
-        for s in range(samples):
-            face = faces[s, p]
-            fresh = face >= 0
-            for earlier in range(s):
-                if faces[earlier, p] == face:
-                    fresh = False
-                    break
-            total += fresh
-    return total
-
-
-@kernel
 def list_distinct(faces, shifts, first_pixel, width, of_sample, pixel, face, x, y):
     """Fill of_sample, and the points in the order of their pixels; how many there are."""
     samples, count = faces.shape
-    total = 0
+    middle_x, middle_y = np.float32(0), np.float32(0)
+    for s in range(samples):
+        middle_x += shifts[s, 0] / samples
+        middle_y += shifts[s, 1] / samples
+    column, row, total = first_pixel % width, first_pixel // width, 0
     for p in range(count):
         first = faces[0, p]
         agreed = True
         for s in range(1, samples):
             agreed = agreed and faces[s, p] == first
-        if agreed and first < 0:
+        if agreed:
             for s in range(samples):
-                of_sample[s, p] = -1
+                of_sample[s, p] = total if first >= 0 else -1
+            if first >= 0:
+                pixel[total], face[total] = first_pixel + p, first
+                x[total], y[total] = column + 0.5 + middle_x, row + 0.5 + middle_y
+                total += 1
+        else:
+            end = list_pixel(faces, shifts, p, (column, row), of_sample, total, face, x, y)
+            for point in range(total, end):
+                pixel[point] = first_pixel + p
+            total = end
+        column += 1
+        if column == width:
+            column, row = 0, row + 1
+    return total
+
+
+@helper
+def list_pixel(faces, shifts, p, place, of_sample, total, face, x, y):
+    """The same for a pixel whose samples see different things."""
+    samples = faces.shape[0]
+    for s in range(samples):
+        seen = faces[s, p]
+        of_sample[s, p] = -1
+        # A sample that sees what an earlier one saw belongs to that point
+        for earlier in range(s):
+            if faces[earlier, p] == seen:
+                of_sample[s, p] = of_sample[earlier, p]
+                break
+        if seen < 0 or of_sample[s, p] >= 0:
             continue
-        for s in range(samples):
-            seen = faces[s, p]
-            of_sample[s, p] = -1
-            # A sample that sees what an earlier one saw belongs to that point
-            for earlier in range(s):
-                if faces[earlier, p] == seen:
-                    of_sample[s, p] = of_sample[earlier, p]
-                    break
-            if seen < 0 or of_sample[s, p] >= 0:
-                continue
-            dx, dy, alike = 0.0, 0.0, 0
-            for later in range(s, samples):
-                if faces[later, p] == seen:
-                    dx += shifts[later, 0]
-                    dy += shifts[later, 1]
-                    alike += 1
-            of_sample[s, p] = total
-            pixel[total] = first_pixel + p
-            face[total] = seen
-            x[total] = (first_pixel + p) % width + 0.5 + dx / alike
-            y[total] = (first_pixel + p) // width + 0.5 + dy / alike
-            total += 1
+        dx, dy, alike = 0.0, 0.0, 0
+        for later in range(s, samples):
+            if faces[later, p] == seen:
+                dx += shifts[later, 0]
+                dy += shifts[later, 1]
+                alike += 1
+        of_sample[s, p] = total
+        face[total] = seen
+        x[total] = place[0] + 0.5 + dx / alike
+        y[total] = place[1] + 0.5 + dy / alike
+        total += 1
     return total
