@@ -10,6 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
+from eyeline.cli.garbage import uncollected
 from eyeline.cli.progress import progress_bar, say
 from eyeline.cli.values import (
     Debug,
@@ -87,7 +88,8 @@ def render(
     }  # fmt: skip
     begun = clock.perf_counter()
     if is_still(output, span, resume):
-        done = still(scene, output, time or 0.0, options)
+        with uncollected():
+            done = still(scene, output, time or 0.0, options)
     elif time is not None:
         raise OptionError(f"{output}: is a film; --time is for pictures, --start and --end are for films")
     else:
