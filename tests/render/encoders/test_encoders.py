@@ -158,5 +158,5 @@ def test_gif_says_when_viewers_cannot_follow() -> None:
 
 @pytest.mark.parametrize("name", ["film.avi", "film.mp3", "film.png"])
 def test_other_suffixes_are_refused(name: str) -> None:
-    with pytest.raises(FileError, match=r"is no film; use \.mp4"):
+    with pytest.raises(FileError, match=r"is no film; use \.mp4.* and \.png, .* for one picture"):
         encoder_for(Path(name))

@@ -11,6 +11,7 @@ from eyeline.render.encoders.mp4 import MP4
 from eyeline.render.encoders.sequence import SEQUENCE
 from eyeline.render.encoders.webm import WEBM
 from eyeline.render.encoders.webp import WEBP
+from eyeline.render.image import FORMATS
 
 ENCODERS: dict[str, Encoder] = {one.name: one for one in (MP4, WEBM, GIF, WEBP, SEQUENCE)}
 
@@ -20,6 +21,7 @@ def encoder_for(path: Path) -> Encoder:
     suffix = path.suffix.lower()
     if suffix not in ENCODERS:
         raise FileError(
-            f"{path}: {suffix} is no film; use {', '.join(filter(None, ENCODERS))} or a folder of PNG frames"
+            f"{path}: {suffix} is no film; use {', '.join(filter(None, ENCODERS))} or a folder of PNG frames,"
+            f" and {', '.join(FORMATS)} for one picture"
         )
     return ENCODERS[suffix]
