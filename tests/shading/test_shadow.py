@@ -113,6 +113,16 @@ def test_the_shadow_of_what_is_far_is_softer():
     assert widths[1] > 1.5 * widths[0] > 0
 
 
+def test_the_shadow_of_a_bar_as_thin_as_a_texel_is_not_broken():
+    floor, _ = floor_and_lid()
+    texel = 8 * math.sqrt(2) / 256
+    bar = Mesh(np.array([(-1, 1, 0), (1, 1, 0), (1, 1, -texel), (-1, 1, -texel)]), [(0, 1, 2), (0, 2, 3)])
+    lit, x, _ = lit_floor(shining("directional", (0.3, 3, 2), (0, 0, 0)), bar, floor)
+    columns = np.floor(x * 20).astype(int)
+    taken = [(1 - lit[columns == column]).sum() for column in range(-12, 13)]
+    assert min(taken) > 0.5 * max(taken)
+
+
 def test_the_studio_floor_takes_a_shadow_and_leaves_the_rest_of_the_backdrop():
     camera = Camera.look_at((0, 2, 6), (0, 0, 0), fov=math.radians(40))
     on = frame_of(sphere(), camera, SIZE)

@@ -48,14 +48,14 @@ def studio_rig(camera: Camera) -> Lighting:
             size,
         )
         for place, color, intensity, size in (
-            ((-0.62, 1.0, 0.68), (1.0, 0.985, 0.96), 1.85, 0.14),
-            ((0.95, 0.28, 0.55), (0.93, 0.965, 1.0), 0.28, 0.30),
+            ((-0.62, 1.0, 0.68), (1.0, 0.985, 0.96), 2.25, 0.14),
+            ((0.95, 0.28, 0.55), (0.93, 0.965, 1.0), 0.2, 0.30),
             ((0.45, 0.75, -0.95), (1.0, 1.0, 1.0), 0.8, 0.15),
         )
     )
     box_axis = level @ np.array([-0.25, 0.95, 0.2])
     parts = environment(
-        np.array([0.36, 0.37, 0.385]), np.array([0.20, 0.197, 0.19]), np.full(3, 0.55),
+        np.array([0.26, 0.267, 0.278]), np.array([0.144, 0.142, 0.137]), np.full(3, 0.4),
         box_axis / np.sqrt((box_axis**2).sum()),
     )  # fmt: skip
     return Lighting(lights, parts, True)
