@@ -91,7 +91,7 @@ def test_callers_side_by_side_get_their_own_answers() -> None:
 
 def test_bins_that_are_too_small_are_made_larger(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "eyeline.visibility.zbuffer.shelf.take", lambda parts, bands, _: scratch.made(parts, bands, 2, 1)
+        "eyeline.visibility.zbuffer.shelf.take", lambda parts, size, _: scratch.made(parts, size, 2, 1)
     )
     projected = soups.snapped("mixed", 11, (130, 97), 3000)
     face, depth = oracle.seen(projected)
@@ -101,10 +101,10 @@ def test_bins_that_are_too_small_are_made_larger(monkeypatch: pytest.MonkeyPatch
 
 
 def test_a_scratch_is_lent_to_one_caller_at_a_time() -> None:
-    first, second = take(1, 7, 10), take(1, 7, 10)
+    first, second = take(1, (70, 200), 10), take(1, (70, 200), 10)
     assert first.ends is not second.ends
     give_back(first)
-    assert take(1, 7, 10).ends is first.ends
+    assert take(1, (70, 200), 10).ends is first.ends
 
 
 @pytest.mark.parametrize("size", [(16384, 60), (60, 16384)])

@@ -12,6 +12,8 @@ from eyeline.errors import GeometryError
 from eyeline.geometry import quaternion
 from eyeline.geometry.arrays import FloatArray
 
+NEXT, LAST = [1, 2, 0], [2, 0, 1]  # of three axes: the one after each, and the one after that
+
 
 def identity() -> FloatArray:
     """The transform that changes nothing."""
@@ -40,8 +42,10 @@ def product(a: FloatArray, b: FloatArray) -> FloatArray:
 
 def inverse(matrix: FloatArray) -> FloatArray:
     """The affine matrix (4, 4) that undoes this one, without LAPACK, which rounds as the machine likes."""
-    x, y, z = matrix[:3, :3].T
-    rows = np.stack([np.cross(y, z), np.cross(z, x), np.cross(x, y)])
+    axes = matrix[:3, :3].T
+    # The cross products of each two axes
+    a, b = axes[NEXT], axes[LAST]
+    rows = a[:, NEXT] * b[:, LAST] - a[:, LAST] * b[:, NEXT]
     undone = identity()
     undone[:3, :3] = rows / product(rows[:1], matrix[:3, :1])
     undone[:3, 3:] = -product(undone[:3, :3], matrix[:3, 3:])

@@ -10,10 +10,12 @@ import numpy as np
 
 from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_at, edge_bias
 from eyeline.jit import helper, kernel
-from eyeline.visibility.binning import BAND_BITS, BLOCK, make_key
+from eyeline.visibility.binning import BAND_BITS, BLOCK, WORDS, make_key
+from eyeline.visibility.scratch import LINE
 
 ROWS = 1 << BAND_BITS
-LANES = 16  # pixels of a row that are drawn at once
+LANES = 2 * LINE  # keys of a row that are drawn at once
+SMALL = 32 * UNITS  # of a box's sides, so that int32 holds its edge functions, also LANES beside it
 FAR = 32768.0  # pixels: farther than any picture is wide
 LEVEL = 1048576.0  # stands for 1 / 0 at a level edge: half a unit outside it is then farther than FAR
 
@@ -24,9 +26,10 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
 
     Returns how many depth tests that took.
     """
-    ends, previous, pixels, keys, corners, planes, sources = scratch
+    ends, previous, pixels, keys, records = scratch[:5]
     width, height = size
-    buffer = np.zeros(width * ROWS + 2 * LANES, np.int64)
+    buffer = scratch.buffer[part]
+    pitch = buffer.shape[0] // ROWS
     spans = np.empty(2 * ROWS, np.int32)
     tests = 0
     for band in range(part, ((height - 1) >> BAND_BITS) + 1, parts):
@@ -34,28 +37,19 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
         row1 = min(height, row0 + ROWS) - 1
         left, right = width, -1
         for binned in range(ends.shape[0]):
-            own_pixels, own_keys = pixels[binned], keys[binned]
-            own_corners, own_planes, own_sources = corners[binned], planes[binned], sources[binned]
             end = ends[binned, band]
             while end > 0:
                 begin = (end - 1) & -BLOCK
-                for j in range(begin, end):
-                    if own_pixels[j] >= 0:
-                        x = own_pixels[j] & 65535
-                        left, right = min(left, x), max(right, x)
-                        at = np.uint32(((own_pixels[j] >> 16) - row0) * width + x)
-                        buffer[at] = max(buffer[at], own_keys[j])
-                        tests += 1
-                    else:
-                        record = own_keys[j]
-                        box = set_spans(record, own_corners, width, row0, row1, spans)
-                        left, right = min(left, box[0]), max(right, box[1])
-                        tests += draw_spans(record, own_planes, own_sources, box, spans, buffer, row0, width)
+                drawn = draw_entries(
+                    pixels[binned, begin:end], keys[binned, begin:end], records[binned],
+                    spans, buffer, pitch, width, row0, row1,
+                )  # fmt: skip
+                left, right, tests = min(left, drawn[0]), max(right, drawn[1]), tests + drawn[2]
                 end = previous[binned, begin // BLOCK]
         # Beside the columns that something fell on the keys are still 0, and need no look
         left = min(left, right + 1)
         for y in range(row0, row1 + 1):
-            begin, row = y * width, (y - row0) * width
+            begin, row = y * width, (y - row0) * pitch
             blank(depth_bits[begin : begin + left], face[begin : begin + left])
             finish(
                 buffer[row + left : row + right + 1],
@@ -64,6 +58,74 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
             )
             blank(depth_bits[begin + right + 1 : begin + width], face[begin + right + 1 : begin + width])
     return tests
+
+
+@helper
+def draw_entries(pixels, keys, records, spans, buffer, pitch, width, row0, row1):
+    """Draw entries of a bin; the first and last column that they fell on, and how many pixels that is.
+
+    A record within LANES pixels from a cache line's border is drawn by its edge functions, in int32, which is
+    exact for SMALL ones; any other, and one that is cut by the picture's right border, by its spans.
+    """
+    leftmost, rightmost, tests = width, -1, 0
+    for j in range(pixels.shape[0]):
+        if pixels[j] >= 0:
+            x = np.int64(pixels[j] & 65535)
+            leftmost, rightmost = min(leftmost, x), max(rightmost, x)
+            at = np.uint32(((pixels[j] >> 16) - row0) * pitch + x)
+            buffer[at] = max(buffer[at], keys[j])
+            tests += 1
+            continue
+        record = np.uint64(keys[j] * WORDS)
+        p0, p1, p2 = records[record], records[record + np.uint64(1)], records[record + np.uint64(2)]
+        x0, y0, x1, y1 = np.int64(np.int32(p0)), p0 >> 32, np.int64(np.int32(p1)), p1 >> 32
+        x2, y2 = np.int64(np.int32(p2)), p2 >> 32
+        least_x, most_x, least_y, most_y = min(x0, x1, x2), max(x0, x1, x2), min(y0, y1, y2), max(y0, y1, y2)
+        left, right = max((least_x + BEFORE_CENTRE) >> 8, 0), ((most_x + BEFORE_CENTRE) >> 8) - 1
+        top, bottom = (
+            max((least_y + BEFORE_CENTRE) >> 8, row0),
+            min(((most_y + BEFORE_CENTRE) >> 8) - 1, row1),
+        )
+        leftmost, rightmost = min(leftmost, left), max(rightmost, min(right, width - 1))
+        base = left & -LINE
+        if right >= min(base + LANES, width) or max(most_x - least_x, most_y - least_y) > SMALL:
+            set_spans(x0, y0, x1, y1, x2, y2, left, min(right, width - 1), top, bottom, spans)
+            tests += draw_spans(record, records, left, top, bottom, spans, buffer, row0, pitch)
+            continue
+        a = np.int64(records[record + np.uint64(3)]).view(np.float64)
+        b = np.int64(records[record + np.uint64(4)]).view(np.float64)
+        c = np.int64(records[record + np.uint64(5)]).view(np.float64)
+        low_half = records[record + np.uint64(6)]
+        cx, cy = base * UNITS + CENTRE, top * UNITS + CENTRE
+        e0, a0, b0 = edge(x1, y1, x2, y2, cx, cy)
+        e1, a1, b1 = edge(x2, y2, x0, y0, cx, cy)
+        e2, a2, b2 = edge(x0, y0, x1, y1, cx, cy)
+        x = np.float64(base)
+        for y in range(top, bottom + 1):
+            begin, covered = np.uint64((y - row0) * pitch + base), np.int32(0)
+            for i in range(LANES):
+                lane = np.int32(i)
+                f0, f1, f2 = (
+                    np.int32(e0 + np.int32(a0 * lane)),
+                    np.int32(e1 + np.int32(a1 * lane)),
+                    np.int32(e2 + np.int32(a2 * lane)),
+                )
+                inside = (f0 | f1 | f2) >= 0
+                key = make_key(depth_at(a, b, c, x + np.float64(lane), y), low_half)
+                place = begin + np.uint64(i)
+                buffer[place] = max(buffer[place], key if inside else np.int64(0))
+                covered = np.int32(covered + np.int32(inside))
+            tests += covered
+            e0, e1, e2 = np.int32(e0 + b0), np.int32(e1 + b1), np.int32(e2 + b2)
+    return leftmost, rightmost, tests
+
+
+@helper
+def edge(x0, y0, x1, y1, cx, cy):
+    """The edge function of an edge that leads clockwise at the centre (cx, cy), and its steps of a pixel."""
+    a, b = y0 - y1, x1 - x0
+    e = a * (cx - x0) + b * (cy - y0) + edge_bias(a, b)
+    return np.int32(e), np.int32(a * UNITS), np.int32(b * UNITS)
 
 
 @helper
@@ -84,18 +146,11 @@ def finish(keys, depth_bits, face):
 
 
 @helper
-def set_spans(record, corners, width, row0, row1, spans):
-    """The box of a record's face on rows row0..row1, and the first and last pixel of each of its rows.
+def set_spans(x0, y0, x1, y1, x2, y2, left, right, top, bottom, spans):
+    """The first and last pixel of a face, given clockwise, on each row of a box, from the box's left.
 
-    spans: from the box's left; the first of row r at r, the last at ROWS + r.
+    spans: the first of row r at r, the last at ROWS + r.
     """
-    x0, y0 = np.int64(corners[6 * record]), np.int64(corners[6 * record + 1])
-    x1, y1 = np.int64(corners[6 * record + 2]), np.int64(corners[6 * record + 3])
-    x2, y2 = np.int64(corners[6 * record + 4]), np.int64(corners[6 * record + 5])
-    left = max((min(x0, x1, x2) + BEFORE_CENTRE) >> 8, 0)
-    right = min(((max(x0, x1, x2) + BEFORE_CENTRE) >> 8) - 1, width - 1)
-    top = max((min(y0, y1, y2) + BEFORE_CENTRE) >> 8, row0)
-    bottom = min(((max(y0, y1, y2) + BEFORE_CENTRE) >> 8) - 1, row1)
     cx, cy, most = left * UNITS + CENTRE, top * UNITS + CENTRE, right - left
     e0, b0, lower0, begin0, upper0, end0 = bounds(x1, y1, x2, y2, cx, cy, most)
     e1, b1, lower1, begin1, upper1, end1 = bounds(x2, y2, x0, y0, cx, cy, most)
@@ -108,7 +163,6 @@ def set_spans(record, corners, width, row0, row1, spans):
         # No bound is whole, so that cutting off its fraction rounds one up and the other down
         spans[r] = np.int32(lesser(greater(low, -0.5), FAR) + 1.0)
         spans[ROWS + r] = np.int32(greater(high, -0.5) + 1.0) - np.int32(1)
-    return left, right, top, bottom
 
 
 @helper
@@ -131,30 +185,26 @@ def bounds(x0, y0, x1, y1, cx, cy, most):
 
 
 @helper
-def draw_spans(record, planes, sources, box, spans, buffer, row0, width):
+def draw_spans(record, records, left, top, bottom, spans, buffer, row0, pitch):
     """Draw a record's face where its spans are; how many pixels that is."""
-    a, b, c, source = planes[3 * record], planes[3 * record + 1], planes[3 * record + 2], sources[record]
-    left, right, top, bottom = box
-    pixels, narrow = 0, right - left < LANES
-    for y in range(top, bottom + 1):
-        low, high = np.int64(spans[y - top]), np.int64(spans[ROWS + y - top])
+    a = np.int64(records[record + np.uint64(3)]).view(np.float64)
+    b = np.int64(records[record + np.uint64(4)]).view(np.float64)
+    c = np.int64(records[record + np.uint64(5)]).view(np.float64)
+    low_half = records[record + np.uint64(6)]
+    pixels = 0
+    for r in range(bottom - top + 1):
+        low, high, y = left + np.int64(spans[r]), left + np.int64(spans[ROWS + r]), top + r
         if low > high:
             continue
         pixels += high - low + 1
-        at = (y - row0) * width + left
-        if narrow:
-            # One step from the box's left: its number of lanes is known, nothing is left over
-            first, last, x = np.int32(low), np.int32(high), np.float64(left)
-            row = buffer[at : at + LANES]
+        for x in range(low & -LINE, high + 1, LANES):
+            begin = np.uint64((y - row0) * pitch + x)
+            first, last, x0 = np.int32(low - x), np.int32(high - x), np.float64(x)
             for i in range(LANES):
-                key = make_key(depth_at(a, b, c, x + np.float64(np.int32(i)), y), source)
-                row[i] = max(row[i], key if (np.int32(i) >= first) & (np.int32(i) <= last) else np.int64(0))
-        else:
-            last, x = np.int32(high - low), np.float64(left + low)
-            row = buffer[at + low : at + low + ((high - low + LANES) & -LANES)]
-            for i in range(row.shape[0]):
-                key = make_key(depth_at(a, b, c, x + np.float64(np.int32(i)), y), source)
-                row[i] = max(row[i], key if np.int32(i) <= last else np.int64(0))
+                key = make_key(depth_at(a, b, c, x0 + np.float64(np.int32(i)), y), low_half)
+                inside = (np.int32(i) >= first) & (np.int32(i) <= last)
+                place = begin + np.uint64(i)
+                buffer[place] = max(buffer[place], key if inside else np.int64(0))
     return pixels
 
 

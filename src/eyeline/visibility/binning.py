@@ -16,14 +16,15 @@ BLOCK = 512  # a bin is a chain of blocks of so many entries
 BAND_BITS = 5  # a band is 32 rows: its keys, 1920 wide, are 480 kB and stay in the second cache
 CHUNK = 4096  # faces handled together
 BAND_SHIFT = 16 + BAND_BITS  # (y << 16 | x) >> BAND_SHIFT is a pixel's band
+WORDS = 8  # int64 of a record, a cache line: three corners y << 32 | x, the plane's a b c, a key's lower half
 RECORD = -1  # in the place of a pixel: this entry of a bin is a record
 LOW32 = 0xFFFFFFFF
 
 
 @helper
-def make_key(depth, source):
+def make_key(depth, low_half):
     """The greater key is nearer, and of equal depths has the lower face number. 0 is nothing."""
-    return (np.int64(np.float32(depth).view(np.int32)) << 32) | (np.int64(source) ^ LOW32)
+    return (np.int64(np.float32(depth).view(np.int32)) << 32) | low_half
 
 
 @kernel
@@ -35,7 +36,7 @@ def bin_faces(part, parts, faces, xy, depth, sides, uncut, pieces, size, scratch
     """
     ends, previous = scratch.ends[part], scratch.previous[part]
     pixels, keys = scratch.pixels[part], scratch.keys[part]
-    corners, planes, sources = scratch.corners[part], scratch.planes[part], scratch.sources[part]
+    records = scratch.records[part]
     live, at = np.empty(CHUNK + 1, np.int32), np.empty(6 * CHUNK, np.int32)
     z, plane = np.empty(3 * CHUNK, np.float32), np.empty(3 * CHUNK, np.float64)
     cover, place = np.empty(CHUNK, np.int32), np.empty(CHUNK, np.int32)
@@ -51,7 +52,7 @@ def bin_faces(part, parts, faces, xy, depth, sides, uncut, pieces, size, scratch
         counts[3] += set_up(m, at, z, size[0], size[1], cover, place, plane)
         emit(
             m, first, live, at, cover, place, plane, uncut, pieces,
-            ends, previous, pixels, keys, corners, planes, sources, counts,
+            ends, previous, pixels, keys, records, counts,
         )  # fmt: skip
 
 
@@ -170,16 +171,14 @@ def emit(
     previous,
     pixels,
     keys,
-    corners,
-    planes,
-    sources,
+    records,
     counts,
 ):
     """Put small faces' fragments into the bins; of a larger one a record, and an entry for each band."""
-    blocks, records = counts[0], counts[1]
+    blocks, taken = counts[0], counts[1]
     for j in range(m):
         t = first + live[j]
-        face = t if t < uncut else pieces[t - uncut]
+        low_half = np.int64(t if t < uncut else pieces[t - uncut]) ^ LOW32
         bits = cover[j]
         if bits >= 0:
             while bits != 0:
@@ -189,18 +188,20 @@ def emit(
                 depth = depth_at(
                     plane[j], plane[CHUNK + j], plane[2 * CHUNK + j], np.int32(p & 65535), p >> 16
                 )
-                blocks = put(p >> BAND_SHIFT, p, make_key(depth, face), ends, previous, pixels, keys, blocks)
+                blocks = put(
+                    p >> BAND_SHIFT, p, make_key(depth, low_half), ends, previous, pixels, keys, blocks
+                )
         else:
-            record = records if records < sources.shape[0] else 0
+            record = taken if WORDS * (taken + 1) <= records.shape[0] else 0
             for band in range(place[j] >> BAND_SHIFT, (((place[j] >> 16) - 1 - bits) >> BAND_BITS) + 1):
                 blocks = put(band, np.int32(RECORD), np.int64(record), ends, previous, pixels, keys, blocks)
-            for k in range(6):
-                corners[6 * record + k] = at[k * CHUNK + j]
+            words = records[WORDS * record : WORDS * (record + 1)]
             for k in range(3):
-                planes[3 * record + k] = plane[k * CHUNK + j]
-            sources[record] = face
-            records += 1
-    counts[0], counts[1] = blocks, records
+                words[k] = (np.int64(at[(2 * k + 1) * CHUNK + j]) << 32) | (at[2 * k * CHUNK + j] & LOW32)
+                words[3 + k] = np.float64(plane[k * CHUNK + j]).view(np.int64)
+            words[6] = low_half
+            taken += 1
+    counts[0], counts[1] = blocks, taken
 
 
 @helper

@@ -15,7 +15,7 @@ from eyeline.jit import share, threads
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.visibility import scratch as shelf
 from eyeline.visibility.bands import draw_bands
-from eyeline.visibility.binning import BAND_BITS, bin_faces
+from eyeline.visibility.binning import bin_faces
 from eyeline.visibility.method import Step, Visible
 
 WORK = ("faces", "faces turned away", "faces beside pixels", "depth tests")  # what is counted
@@ -36,7 +36,7 @@ class ZBuffer:
         height, width, parts = projected.height, projected.width, threads()
         face = recycled((height, width), np.int32)
         depth = recycled((height, width), np.float32)
-        scratch = shelf.take(parts, ((height - 1) >> BAND_BITS) + 1, len(projected.faces))
+        scratch = shelf.take(parts, (width, height), len(projected.faces))
         scratch, counts = binned(projected, scratch, parts)
         flat = depth.view(np.int32).reshape(-1), face.reshape(-1)
         tests = share(lambda part: draw_bands(part, parts, (width, height), scratch, *flat), parts)
