@@ -10,7 +10,6 @@ from typing import Annotated, Any
 
 import typer
 
-from eyeline.cli.garbage import uncollected
 from eyeline.cli.progress import progress_bar, say
 from eyeline.cli.values import (
     Debug,
@@ -88,8 +87,7 @@ def render(
     }  # fmt: skip
     begun = clock.perf_counter()
     if is_still(output, span, resume):
-        with uncollected():
-            done = still(scene, output, time or 0.0, options)
+        done = still(scene, output, time or 0.0, options)
     elif time is not None:
         raise OptionError(f"{output}: is a film; --time is for pictures, --start and --end are for films")
     else:
