@@ -211,9 +211,9 @@ def arriving(maps, index, places, lane, room):
         return ZERO if depth[start + row * size + column] > max(limit, ZERO) else ONE
     pools = start + size * size + size * size // 4
     radius = radius_of(maps.rows, index, depth, pools, size // POOL, u, v, here, slope_u, slope_v)
-    if radius > REACH:
-        return filtered(depth, start + size * size, size // 2, 1, u, v, here, slope_u, slope_v, radius, room)
-    return filtered(depth, start, size, 0, u, v, here, slope_u, slope_v, radius, room)
+    level = 1 if radius > REACH else 0
+    start += level * size * size
+    return filtered(depth, start, size >> level, level, u, v, here, slope_u, slope_v, radius, room)
 
 
 @helper
