@@ -48,4 +48,4 @@ class Material:
 
 
 # Of a mesh that says nothing: clay, darker than the studio's backdrop and warmer, so that its outline shows
-DEFAULT = Material(base_color=(0.6, 0.575, 0.54, 1.0), roughness=0.45)
+DEFAULT = Material(base_color=(0.7, 0.68, 0.65, 1.0), roughness=0.45)
