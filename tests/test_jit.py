@@ -79,25 +79,3 @@ def test_machine_code_with_a_wrong_bit_never_runs(folder: Path) -> None:
         bent[place] ^= 16
         file.write_bytes(bytes(bent))
         assert run_fresh() == (0, 1)
-
-
-def test_every_turn_is_taken_once_and_its_answer_stands_in_its_place():
-    taken = []
-
-    def task(worker, turn):
-        taken.append((worker, turn))
-        return 10 * turn
-
-    assert jit.take_turns(task, 50, 4) == [10 * turn for turn in range(50)]
-    assert sorted(turn for _, turn in taken) == list(range(50))
-    assert {worker for worker, _ in taken} <= {0, 1, 2, 3}
-    assert jit.take_turns(task, 0, 4) == []
-
-
-def test_a_turn_that_fails_on_another_thread_is_told():
-    def task(worker, turn):
-        if turn == 7:
-            raise ValueError("turn 7")
-
-    with pytest.raises(ValueError, match="turn 7"):
-        jit.take_turns(task, 8, 2)

@@ -251,24 +251,3 @@ def share(task: Callable[[int], Result], parts: int) -> list[Result]:
     rest = [_pool().submit(task, part) for part in range(1, parts)]
     first = task(0)
     return [first, *(later.result() for later in rest)]
-
-
-def take_turns(task: Callable[[int, int], Result], count: int, workers: int) -> list[Result]:
-    """[task(worker, 0), ... task(worker, count - 1)]: whoever of the workers is free takes the next turn.
-
-    For turns of unequal length, and for cores that come and go: nobody waits for a thread that has not begun.
-    Worker 0 is the caller's thread; one worker takes one turn at a time. A task must not share again.
-    """
-    turns = iter(range(count))  # the interpreter's lock gives every turn to one thread
-    results: list[Any] = [None] * count
-
-    def work(worker: int) -> None:
-        for turn in turns:
-            results[turn] = task(worker, turn)
-
-    others = [_pool().submit(work, worker) for worker in range(1, min(workers, count))]
-    work(0)
-    for other in others:
-        if not other.cancel():
-            other.result()
-    return results

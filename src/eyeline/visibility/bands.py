@@ -14,7 +14,6 @@ from eyeline.visibility.binning import BAND_BITS, BLOCK, WORDS, make_key
 from eyeline.visibility.scratch import LINE
 
 ROWS = 1 << BAND_BITS
-TURN = 4  # bands that a thread draws before it takes more
 LANES = 2 * LINE  # keys of a row that are drawn at once
 SMALL = 32 * UNITS  # of a box's sides, so that int32 holds its edge functions, also LANES beside it
 FAR = 32768.0  # pixels: farther than any picture is wide
@@ -22,18 +21,18 @@ LEVEL = 1048576.0  # stands for 1 / 0 at a level edge: half a unit outside it is
 
 
 @kernel
-def draw_bands(worker, first, size, scratch, depth_bits, face):
-    """Fill depth_bits (depth as int32) and face, both flat, in TURN bands from the first one of them.
+def draw_bands(part, parts, size, scratch, depth_bits, face):
+    """Fill depth_bits (depth as int32) and face, both flat, in bands part, part + parts, ...
 
-    worker: whose buffer serves. Returns how many depth tests that took.
+    Returns how many depth tests that took.
     """
     ends, previous, pixels, keys, records = scratch[:5]
     width, height = size
-    buffer = scratch.buffer[worker]
+    buffer = scratch.buffer[part]
     pitch = buffer.shape[0] // ROWS
     spans = np.empty(2 * ROWS, np.int32)
     tests = 0
-    for band in range(first, min(first + TURN, ((height - 1) >> BAND_BITS) + 1)):
+    for band in range(part, ((height - 1) >> BAND_BITS) + 1, parts):
         row0 = band << BAND_BITS
         row1 = min(height, row0 + ROWS) - 1
         left, right = width, -1

@@ -11,11 +11,11 @@ import numpy as np
 from eyeline.geometry.arrays import IntArray, read_only
 from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_at, depth_plane
 from eyeline.geometry.memory import recycled
-from eyeline.jit import share, take_turns, threads
+from eyeline.jit import share, threads
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.visibility import scratch as shelf
-from eyeline.visibility.bands import TURN, draw_bands
-from eyeline.visibility.binning import BAND_BITS, bin_faces
+from eyeline.visibility.bands import draw_bands
+from eyeline.visibility.binning import bin_faces
 from eyeline.visibility.method import Step, Visible
 
 WORK = ("faces", "faces turned away", "faces beside pixels", "depth tests")  # what is counted
@@ -39,13 +39,7 @@ class ZBuffer:
         scratch = shelf.take(parts, (width, height), len(projected.faces))
         scratch, counts = binned(projected, scratch, parts)
         flat = depth.view(np.int32).reshape(-1), face.reshape(-1)
-        turns = -(-height // (TURN << BAND_BITS))
-
-        def draw(worker: int, turn: int) -> int:
-            tests: int = draw_bands(worker, turn * TURN, (width, height), scratch, *flat)
-            return tests
-
-        tests = take_turns(draw, turns, parts)
+        tests = share(lambda part: draw_bands(part, parts, (width, height), scratch, *flat), parts)
         shelf.give_back(scratch)
         return Visible(face, depth, projected, self, work_of(projected, counts, sum(tests)))
 
