@@ -19,11 +19,3 @@ class FileError(EyelineError):
 
 class OptionError(EyelineError):
     """An option out of its range, or a name that is not in its table."""
-
-
-class MissingExtraError(EyelineError):
-    """A feature whose optional dependency is not installed; the message names the extra."""
-
-
-class KernelError(Exception):
-    """A defect of ours: a kernel got what its face should have refused."""
