@@ -24,6 +24,7 @@ SIZES = ((48, 32), (33, 17), (1, 1), (130, 5), (7, 50))
 ANSWERING = [name for name, method in METHODS.items() if method.answers]
 
 every_method = pytest.mark.parametrize("name", ANSWERING)
+every_exact_method = pytest.mark.parametrize("name", [name for name in ANSWERING if METHODS[name].exact])
 by_chance = settings(
     max_examples=60, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
 )
@@ -48,7 +49,7 @@ def test_the_known_node_is_seen(name: str, known: scenes.Known) -> None:
 # --- the oracle -------------------------------------------------------------------------------------------
 
 
-@every_method
+@every_exact_method
 @by_chance
 @given(kind=st.sampled_from(soups.SNAPPED), seed=seeds, size=st.sampled_from(SIZES))
 def test_snapped_faces_are_seen_as_the_oracle_sees_them(
@@ -58,14 +59,22 @@ def test_snapped_faces_are_seen_as_the_oracle_sees_them(
     assert_is_the_oracles(METHODS[name](projected), projected)
 
 
+@every_exact_method
+@by_chance
+@given(seed=seeds, cull=st.sampled_from(("auto", "back", "none")))
+def test_pieces_of_faces_around_the_eye_are_seen_as_the_oracle_sees_them(
+    name: str, seed: int, cull: str
+) -> None:
+    projected = project(*soups.around_the_eye(seed), SIZE, cull)
+    assert_is_the_oracles(METHODS[name](projected), projected)
+
+
 @every_method
 @by_chance
 @given(seed=seeds, cull=st.sampled_from(("auto", "back", "none")))
 def test_faces_around_the_eye_are_cut_where_they_must_be(name: str, seed: int, cull: str) -> None:
     scene, camera = soups.around_the_eye(seed)
-    projected = project(scene, camera, SIZE, cull)
-    answer = METHODS[name](projected)
-    assert_is_the_oracles(answer, projected)
+    answer = METHODS[name](project(scene, camera, SIZE, cull))
     truth = oracle.truth(scene, camera, SIZE, cull)
     assert truth.decidable.mean() > 0.5
     assert np.argwhere(truth.decidable & (answer.face != truth.face)).tolist() == []
@@ -94,11 +103,13 @@ def test_the_order_of_faces_does_not_matter(name: str, seed: int) -> None:
     order = np.random.default_rng(seed).permutation(len(mesh.faces))
     first = METHODS[name](project(scene, camera, SIZE))
     second = METHODS[name](project(Scene.of(Mesh(mesh.points, mesh.faces[order])), camera, SIZE))
-    assert np.array_equal(first.depth, second.depth)
-    assert np.array_equal(first.face, np.where(second.face < 0, -1, order[second.face]))
+    decidable = oracle.truth(scene, camera, SIZE).decidable | METHODS[name].exact
+    assert np.array_equal(first.depth[decidable], second.depth[decidable])
+    renumbered = np.where(second.face < 0, -1, order[second.face])
+    assert np.array_equal(first.face[decidable], renumbered[decidable])
 
 
-@every_method
+@every_exact_method
 @by_chance
 @given(seed=seeds)
 def test_where_a_face_begins_does_not_matter(name: str, seed: int) -> None:
@@ -184,7 +195,7 @@ def test_a_sheet_of_many_faces_through_the_near_plane_has_no_gap(name: str, seed
     assert np.argwhere(truth.decidable & ((answer.face >= 0) != (truth.face >= 0))).tolist() == []
 
 
-@every_method
+@every_exact_method
 @by_chance
 @given(seed=seeds)
 def test_every_pixel_of_a_net_has_one_owner(name: str, seed: int) -> None:
@@ -203,13 +214,24 @@ def test_every_pixel_of_a_net_has_one_owner(name: str, seed: int) -> None:
 # --- written twice ----------------------------------------------------------------------------------------
 
 
-@every_method
+@every_exact_method
 @by_chance
 @given(kind=st.sampled_from(soups.SNAPPED), seed=seeds)
 def test_steps_decide_as_the_kernel_does(name: str, kind: str, seed: int) -> None:
-    projected = soups.snapped(kind, seed, (31, 19), count=25)
+    assert_steps_are_the_kernels(name, soups.snapped(kind, seed, (31, 19), count=25))
+
+
+@every_method
+@settings(by_chance, max_examples=20)
+@given(seed=seeds)
+def test_steps_see_faces_around_the_eye_as_the_kernel_does(name: str, seed: int) -> None:
+    assert_steps_are_the_kernels(name, project(*soups.around_the_eye(seed, count=24), (24, 16)))
+
+
+def assert_steps_are_the_kernels(name: str, projected: Projected) -> None:
     answer = METHODS[name](projected)
     *_, last = METHODS[name].steps(projected)
+    assert last.kind == "done"
     assert np.array_equal(last.data["face"], answer.face)
     assert np.array_equal(last.data["depth"], answer.depth)
     assert dict(last.work) == dict(answer.work)

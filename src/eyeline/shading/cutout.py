@@ -71,6 +71,11 @@ class CutOut:
         """The other method's."""
         return self.method.answers
 
+    @property
+    def exact(self) -> bool:
+        """The other method's."""
+        return self.method.exact
+
     def __call__(self, projected: Projected) -> Visible:
         """The other's answer about solid faces, with the masked ones in front of it but for their holes."""
         masks = faces_of(projected.surfaces, "mask")

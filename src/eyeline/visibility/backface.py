@@ -29,6 +29,7 @@ class BackFace:
     name: str = "backface"
     space: str = "object"
     answers: bool = False
+    exact: bool = True
 
     def __call__(self, projected: Projected) -> Visible:
         """What is seen of one convex body: its fronts, whatever their order. Refused: any other scene."""

@@ -20,7 +20,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Step:
-    """One event of a method at work: what it did, in a sentence, with the numbers it did it with."""
+    """One event of a method at work: what it did, in a sentence, with the numbers it did it with.
+
+    What `data` holds under these names can be drawn, for every method alike; places are in pixels:
+    face, faces: scene faces it is about; pixels: [(x, y), ...] where `face` is the nearest so far;
+    tested: [(x, y), ...] where it was compared; rectangle, rectangles: (left, top, right, bottom);
+    polygon, polygons: (N, 2) corners; segments: (N, 2, 2); hidden: (N, 2, 2) segments not seen;
+    verdict: "kept", "dropped" or "split". The last step is "done": its face and depth are (H, W), the answer.
+    """
 
     kind: str
     sentence: str
@@ -42,6 +49,13 @@ class Method(Protocol):
     @property
     def answers(self) -> bool:
         """Whether it answers every scene alone, or only filters faces for others."""
+
+    @property
+    def exact(self) -> bool:
+        """Whether it decides by the picture's grid and its one formula for depth.
+
+        Exact methods agree bit for bit; others agree wherever rounding cannot matter.
+        """
 
     def __call__(self, projected: Projected) -> Visible:
         """What is seen at every pixel."""

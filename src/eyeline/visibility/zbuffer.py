@@ -30,6 +30,7 @@ class ZBuffer:
     name: str = "zbuffer"
     space: str = "image"
     answers: bool = True
+    exact: bool = True
 
     def __call__(self, projected: Projected) -> Visible:
         """The nearest face at every pixel."""
@@ -61,17 +62,22 @@ class ZBuffer:
                 yield Step("dropped", f"face {source} lies beside every pixel", {"face": source}, dict(work))
                 continue
             a, b, c = depth_plane(*corners[0], *corners[1], *corners[2])
-            taken, tested = [], 0
-            for x, y in covered(corners, columns, rows):
-                tested += 1
+            taken, tried = [], list(covered(corners, columns, rows))
+            for x, y in tried:
                 own = depth_at(a, b, c, x, y)
                 # Nearer is greater; a tie goes to the lower face; 0 is as far as the back, which is nothing
                 if own > depth[y, x] or (own == depth[y, x] > 0 and source < face[y, x]):
                     face[y, x], depth[y, x] = source, own
                     taken.append((x, y))
-            work["depth tests"] += tested
-            sentence = f"face {source} covers {tested} pixels and is the nearest so far at {len(taken)}"
-            yield Step("drawn", sentence, {"face": source, "pixels": taken}, dict(work))
+            work["depth tests"] += len(tried)
+            sentence = f"face {source} covers {len(tried)} pixels and is the nearest so far at {len(taken)}"
+            data = {
+                "face": source,
+                "pixels": taken,
+                "tested": tried,
+                "verdict": "kept" if taken else "dropped",
+            }
+            yield Step("drawn", sentence, data, dict(work))
         yield Step("done", "every face was drawn", {"face": face, "depth": depth}, dict(work))
 
 
