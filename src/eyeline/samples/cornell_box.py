@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from eyeline.geometry import quaternion
-from eyeline.samples.shapes import Shape, joined, mesh_of
+from eyeline.samples.shapes import Shape, joined, mesh_of, sheet
 from eyeline.scene.camera import Camera
 from eyeline.scene.light import Light
 from eyeline.scene.material import Material
@@ -77,9 +77,7 @@ def middle(corners: npt.ArrayLike) -> tuple[float, float, float]:
 
 def quad(corners: npt.ArrayLike) -> Shape:
     """Four measured corners as two triangles that face into the room."""
-    uv = np.array([(0, 1), (1, 1), (1, 0), (0, 0)], dtype=np.float64)
-    faces = np.array([(0, 1, 2), (0, 2, 3)])
-    return Shape(metres(corners), faces, uv[faces])
+    return sheet(metres(corners))
 
 
 def block(top: npt.ArrayLike) -> Shape:

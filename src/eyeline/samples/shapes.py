@@ -71,6 +71,13 @@ def mesh_of(parts: dict[Material, Shape], name: str = "", crease: float = CREASE
     )
 
 
+def sheet(corners: npt.ArrayLike) -> Shape:
+    """Four corners (4, 3) in one plane as two triangles: the front is where they turn counter-clockwise."""
+    uv = np.array([(0, 1), (1, 1), (1, 0), (0, 0)], dtype=np.float64)
+    faces = np.array([(0, 1, 2), (0, 2, 3)])
+    return Shape(np.asarray(corners, dtype=np.float64), faces, uv[faces])
+
+
 # --- from a grid ------------------------------------------------------------------------------------------
 
 
