@@ -8,8 +8,11 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from eyeline.version import __version__
+
 if TYPE_CHECKING:
     from eyeline import errors, samples
+    from eyeline.explanation import Explanation, explain
     from eyeline.files import load
     from eyeline.motion import Clip, Curve, Track
     from eyeline.render.film import Film, film
@@ -27,14 +30,13 @@ if TYPE_CHECKING:
     from eyeline.shading.styles import STYLES
     from eyeline.visibility import METHODS
 
-__version__ = "0.1.0.dev0"
-
 _HOMES = {
     "METHODS": "eyeline.visibility",
     "STYLES": "eyeline.shading.styles",
     "Camera": "eyeline.scene.camera",
     "Clip": "eyeline.motion",
     "Curve": "eyeline.motion",
+    "Explanation": "eyeline.explanation",
     "Film": "eyeline.render.film",
     "Image": "eyeline.render.image",
     "Light": "eyeline.scene.light",
@@ -48,6 +50,7 @@ _HOMES = {
     "TextureSlot": "eyeline.scene.texture",
     "Track": "eyeline.motion",
     "errors": "eyeline.errors",
+    "explain": "eyeline.explanation",
     "film": "eyeline.render.film",
     "load": "eyeline.files",
     "render": "eyeline.render",
@@ -62,6 +65,7 @@ __all__ = [
     "Camera",
     "Clip",
     "Curve",
+    "Explanation",
     "Film",
     "Image",
     "Light",
@@ -76,6 +80,7 @@ __all__ = [
     "Track",
     "__version__",
     "errors",
+    "explain",
     "film",
     "load",
     "render",

@@ -85,3 +85,15 @@ def test_clips_and_cameras_go_by_number_too(tmp_path: Path, capfd: pytest.Captur
         )  # fmt: skip
         pictures.append((tmp_path / "a.png").read_bytes())
     assert pictures[0] == pictures[1] != pictures[2]
+
+
+def test_explain_writes_the_steps_of_a_method(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "steps.html"
+    code = main(["explain", "zbuffer", "sample:teapot", "-o", str(path), "--faces", "200", "--json"])
+    out, notice = capfd.readouterr()
+    assert code == 0
+    assert notice.startswith("eyeline: the scene has 12,432 faces; what is shown has 1")
+    found = json.loads(out)
+    assert found["method"] == "zbuffer" and found["steps"] > 100
+    assert found["work"]["depth tests"] > 100
+    assert path.read_text().startswith("<!doctype html>")

@@ -8,6 +8,7 @@ import typer
 
 from eyeline.cli.demo import demo
 from eyeline.cli.doctor import doctor
+from eyeline.cli.explain import explain
 from eyeline.cli.info import info
 from eyeline.cli.render import render
 
@@ -21,7 +22,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (render, info, doctor, demo):
+for command in (render, explain, info, doctor, demo):
     app.command()(command)
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-import eyeline
+from eyeline.version import __version__
 
 
 def fingerprint(value: Any) -> str:
@@ -18,7 +18,7 @@ def fingerprint(value: Any) -> str:
 
     The version of eyeline is part of it: another version may draw other pictures.
     """
-    return _digest((eyeline.__version__, value), {}).hex()
+    return _digest((__version__, value), {}).hex()
 
 
 def _digest(value: Any, known: dict[int, bytes]) -> bytes:

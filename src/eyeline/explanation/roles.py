@@ -1,0 +1,69 @@
+"""How marks look, the same in films, pages and drawings."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from eyeline.explanation.explanation import Explanation
+from eyeline.explanation.frames import Frame, Outlines, Points
+from eyeline.geometry.arrays import ByteArray, IntArray
+
+PAPER, STAGE, INK, FAINT = "#f7f5f0", "#ffffff", "#22252b", "#8b8f98"
+NETWORK = "#c9ccd3"  # the faces' edges under everything
+
+
+class Look(NamedTuple):
+    """A stroke, and how much of its colour fills the inside."""
+
+    meaning: str
+    colour: str
+    width: float  # of the stroke, in parts of a large pixel's side
+    fill: float  # 0..1
+    dashed: bool = False
+
+
+ROLES = {
+    "subject": Look("the face it is about", "#e07a00", 0.22, 0.18),
+    "rival": Look("faces it meets", "#7b4fb0", 0.14, 0.08),
+    "kept": Look("stays", "#1f8a4c", 0.22, 0.14),
+    "dropped": Look("goes", "#c2342b", 0.22, 0.12),
+    "split": Look("is cut", "#7b2fbf", 0.26, 0.0),
+    "area": Look("an area", "#2b6cb0", 0.16, 0.06),
+    "hidden": Look("is hidden", "#c2342b", 0.14, 0.0, dashed=True),
+}
+DOT = 0.14  # of a large pixel's side: the reach of a dot
+INK_WIDTH = 0.5  # of their width, for marks that stay
+
+
+def title_of(explanation: Explanation) -> str:
+    """What heads an explanation."""
+    return f"{explanation.method.name} · {explanation.scene.name or 'scene'}"
+
+
+def network(explanation: Explanation) -> list[Points]:
+    """Every face's outline."""
+    outlines = Outlines(explanation.projected)
+    return [corners for face in range(explanation.projected.face_count) for corners in outlines.of(face)]
+
+
+def canvas(explanation: Explanation) -> IntArray:
+    """(H, W) the face seen so far at every pixel; -1 is none."""
+    return np.full((explanation.projected.height, explanation.projected.width), -1, dtype=np.int32)
+
+
+def paint(seen: IntArray, frame: Frame) -> None:
+    """Let a frame's pixels fall on a canvas."""
+    for face, pixels in frame.painted:
+        if len(pixels):
+            columns, rows = np.asarray(pixels).T
+            seen[rows, columns] = face
+
+
+def picture(seen: IntArray, colours: ByteArray) -> ByteArray:
+    """(H, W, 4) sRGB of a canvas; what nothing fell on is transparent."""
+    shown = np.zeros((*seen.shape, 4), np.uint8)
+    covered = seen >= 0
+    shown[covered, :3], shown[covered, 3] = colours[seen[covered]], 255
+    return shown
