@@ -1,4 +1,4 @@
-"""Kernels kept on disk: loaded by the next process, and compiled again where a file is damaged."""
+"""Kernels kept on disk: loaded by the next process, and compiled again where what they do has changed."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from eyeline import jit
+from eyeline.jit.fingerprint import fingerprint
 
 
 @jit.helper
@@ -52,30 +53,122 @@ def test_a_kept_kernel_needs_no_dispatcher_of_what_it_calls(folder: Path) -> Non
     assert isinstance(fresh.compiled().py_func.__globals__["twice"], jit.Helper)
 
 
-@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
 @pytest.mark.parametrize("damage", ["empty", "cut", "other", "bent at the end"])
-def test_a_damaged_file_is_compiled_again(folder: Path, suffix: str, damage: str) -> None:
+def test_a_damaged_file_is_compiled_again(folder: Path, damage: str) -> None:
     run_fresh()
-    (file,) = folder.rglob(f"*{suffix}")
+    (file,) = folder.rglob("*.kernel")
     whole = file.read_bytes()
-    half = len(whole) // 2
     bent = {
         "empty": b"",
-        "cut": whole[:half],
+        "cut": whole[: len(whole) // 2],
         "other": b"not a kernel" * 9,
         "bent at the end": whole[:-2] + bytes([whole[-2] ^ 1]) + whole[-1:],
     }
     file.write_bytes(bent[damage])
-    run_fresh()
+    assert run_fresh() == (0, 1)
     assert run_fresh() == (1, 0)
 
 
 def test_machine_code_with_a_wrong_bit_never_runs(folder: Path) -> None:
     run_fresh()
-    (file,) = folder.rglob("*.nbc")
+    (file,) = folder.rglob("*.kernel")
     whole = file.read_bytes()
     for place in np.random.default_rng(3).integers(0, len(whole), 4):
         bent = bytearray(whole)
         bent[place] ^= 16
         file.write_bytes(bytes(bent))
         assert run_fresh() == (0, 1)
+
+
+def test_a_folder_that_cannot_be_made_keeps_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "file").touch()
+    monkeypatch.setenv("EYELINE_CACHE_DIR", str(tmp_path / "file"))
+    jit.cache_folder.cache_clear()
+    try:
+        assert run_fresh() == (0, 1)
+        assert run_fresh() == (0, 1)
+    finally:
+        jit.cache_folder.cache_clear()
+
+
+# --- what a kernel is compiled from -------------------------------------------------------------------
+
+MODULE = """
+from eyeline.jit import helper, kernel
+{constants}
+
+@helper
+def shifted(number):
+    {helper_says}
+    return number {helper_does}
+
+@kernel
+def shift(numbers):
+    {kernel_says}
+    for place in range(len(numbers)):
+        numbers[place] = shifted(numbers[place]) * FACTOR
+"""
+AS_IT_WAS = {
+    "constants": "FACTOR = 2",
+    "helper_says": '"""As it was."""',
+    "helper_does": "+ 1",
+    "kernel_says": '"""As it was."""',
+}
+
+
+def fingerprint_of(**changes: str) -> str:
+    """The fingerprint of `shift` where some lines of its module have changed."""
+    scope: dict[str, object] = {"__name__": "shifting"}
+    exec(compile(MODULE.format(**(AS_IT_WAS | changes)), "shifting.py", "exec"), scope)
+    shift = scope["shift"]
+    return fingerprint(shift.function, shift.options)  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"helper_does": "+ 2"},
+        {"helper_does": "+ 1.0"},
+        {"helper_does": "- 1"},
+        {"constants": "FACTOR = 3"},
+        {"constants": "FACTOR = 2.0"},
+        {"constants": "import numpy\nFACTOR = numpy.int8(2)"},
+        {"kernel_says": "numbers[0] = 0"},
+    ],
+    ids=str,
+)
+def test_what_changes_a_result_changes_the_fingerprint(change: dict[str, str]) -> None:
+    assert fingerprint_of(**change) != fingerprint_of()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"constants": "\n\n# moved down\nFACTOR = 2\nNOT_READ = 7"},
+        {"helper_says": '"""In other words."""'},
+        {"kernel_says": '"""In other words."""\n    # and with a reason'},
+    ],
+    ids=str,
+)
+def test_words_and_places_leave_the_fingerprint(change: dict[str, str]) -> None:
+    assert fingerprint_of(**change) == fingerprint_of()
+
+
+def test_options_are_part_of_the_fingerprint() -> None:
+    function = double.function
+    assert fingerprint(function, {"fastmath": True}) != fingerprint(function, {})
+
+
+@pytest.mark.parametrize("value", ["[2]", "{2: 3}", "lambda: 2", "__import__('os')"])
+def test_a_kernel_that_reads_what_can_change_unseen_is_refused(value: str) -> None:
+    with pytest.raises(TypeError, match="kernels read numbers"):
+        fingerprint_of(constants=f"FACTOR = {value}")
+
+
+def test_every_kernel_of_the_package_has_a_fingerprint() -> None:
+    from eyeline.render import warming
+
+    assert warming.errands()
+    ours = [one for one in jit.KERNELS if one.function.__module__.startswith("eyeline.")]
+    told = [fingerprint(one.function, one.options) for one in ours if one.options.get("cache")]
+    assert len(told) == len(set(told))
