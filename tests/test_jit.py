@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,6 +11,7 @@ import numpy as np
 import pytest
 
 from eyeline import jit
+from eyeline.jit import sharing
 from eyeline.jit.fingerprint import fingerprint
 
 
@@ -172,3 +175,37 @@ def test_every_kernel_of_the_package_has_a_fingerprint() -> None:
     ours = [one for one in jit.KERNELS if one.function.__module__.startswith("eyeline.")]
     told = [fingerprint(one.function, one.options) for one in ours if one.options.get("cache")]
     assert len(told) == len(set(told))
+
+
+@pytest.fixture
+def pool(monkeypatch: pytest.MonkeyPatch) -> Iterator[sharing.Pool]:
+    monkeypatch.setenv("EYELINE_THREADS", "2")
+    jit.threads.cache_clear()
+    own = sharing.Pool()
+    monkeypatch.setattr(sharing, "_pool", lambda: own)
+    yield own
+    own.executor.shutdown()
+    jit.threads.cache_clear()
+
+
+def test_what_no_thread_has_begun_is_done_by_the_caller(pool: sharing.Pool) -> None:
+    gate = threading.Event()
+    busy = pool.executor.submit(gate.wait)
+    try:
+        assert jit.share(lambda part: (part, threading.get_ident()), 3) == [
+            (part, threading.get_ident()) for part in range(3)
+        ]
+    finally:
+        gate.set()
+    assert busy.result()
+
+
+def test_threads_stay_off_the_core_of_their_caller(
+    pool: sharing.Pool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    member = pool.executor.submit(threading.get_native_id).result()
+    cores = os.sched_getaffinity(0)
+    for core in cores:
+        monkeypatch.setattr(pool, "_core", lambda core=core: core)
+        pool.step_aside()
+        assert os.sched_getaffinity(member) == (cores - {core} or cores)

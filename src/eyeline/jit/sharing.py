@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
+import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
 from functools import cache
 from typing import TypeVar
 
@@ -20,9 +23,41 @@ def threads() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+class Pool:
+    """The threads that work beside their caller's."""
+
+    def __init__(self) -> None:
+        self.executor = ThreadPoolExecutor(
+            max(1, threads() - 1), thread_name_prefix="eyeline", initializer=self._enter
+        )
+        self._members: list[int] = []  # native numbers of the threads
+        self._clear_of = -1  # the core they are kept off
+        self._core = ctypes.CDLL(None).sched_getcpu if hasattr(os, "sched_setaffinity") else lambda: -1
+
+    def _enter(self) -> None:
+        self._members.append(threading.get_native_id())
+        self._clear_of = -1
+
+    def step_aside(self) -> None:
+        """Keep the threads off the core their caller runs on, if there is another one for each.
+
+        A virtual machine's core that has slept a while does not count as idle: Linux then wakes a thread on its
+        caller's core, where it waits until the caller is done.
+        """
+        core = self._core()
+        if core == self._clear_of:
+            return
+        self._clear_of = core
+        others = os.sched_getaffinity(0) - {core}
+        if len(self._members) <= len(others):
+            with suppress(OSError):  # a sandbox may forbid it; the threads then stay where they are
+                for member in self._members:
+                    os.sched_setaffinity(member, others)
+
+
 @cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(max(1, threads() - 1), thread_name_prefix="eyeline")
+def _pool() -> Pool:
+    return Pool()
 
 
 if hasattr(os, "register_at_fork"):
@@ -35,6 +70,12 @@ def share(task: Callable[[int], Result], parts: int) -> list[Result]:
 
     A task must not share again: it would wait for the thread it runs on.
     """
-    rest = [_pool().submit(task, part) for part in range(1, parts)]
+    if parts == 1:
+        return [task(0)]
+    pool = _pool()
+    pool.step_aside()
+    rest = [pool.executor.submit(task, part) for part in range(1, parts)]
     first = task(0)
-    return [first, *(later.result() for later in rest)]
+    # A part that no thread has begun yet is done here: nobody waits for a core that is busy with other things
+    later = [task(part) if one.cancel() else one.result() for part, one in enumerate(rest, 1)]
+    return [first, *later]
