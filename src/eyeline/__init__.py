@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from eyeline.explanation import Explanation, explain
     from eyeline.files import load
     from eyeline.motion import Clip, Curve, Track
+    from eyeline.render.drawing import Drawing, draw
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
     from eyeline.render.image import Image
@@ -36,6 +37,7 @@ _HOMES = {
     "Camera": "eyeline.scene.camera",
     "Clip": "eyeline.motion",
     "Curve": "eyeline.motion",
+    "Drawing": "eyeline.render.drawing",
     "Explanation": "eyeline.explanation",
     "Film": "eyeline.render.film",
     "Image": "eyeline.render.image",
@@ -49,6 +51,7 @@ _HOMES = {
     "Texture": "eyeline.scene.texture",
     "TextureSlot": "eyeline.scene.texture",
     "Track": "eyeline.motion",
+    "draw": "eyeline.render.drawing",
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
     "film": "eyeline.render.film",
@@ -65,6 +68,7 @@ __all__ = [
     "Camera",
     "Clip",
     "Curve",
+    "Drawing",
     "Explanation",
     "Film",
     "Image",
@@ -79,6 +83,7 @@ __all__ = [
     "TextureSlot",
     "Track",
     "__version__",
+    "draw",
     "errors",
     "explain",
     "film",

@@ -52,12 +52,14 @@ def test_version_is_the_packages(capfd: pytest.CaptureFixture[str]) -> None:
     assert told(capfd, "--version") == f"eyeline {el.__version__}\n"
 
 
-def test_demo_makes_a_film_a_picture_and_a_sheet(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_demo_makes_a_film_all_four_kinds_of_result(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     folder = tmp_path / "demo"
     small = ["--size", "64x36", "--fps", "4", "--samples", "1"]
     paths = told(capfd, "demo", "-o", str(folder), *small).split()
     assert sorted(paths) == sorted(str(path) for path in folder.iterdir())
-    assert {Path(path).suffix for path in paths} == {".png", ".mp4"}
+    assert {Path(path).suffix for path in paths} == {".png", ".svg", ".mp4"}
     with PIL.Image.open(folder / "contact_sheet.png") as sheet:
         assert sheet.width > 4 * 400
 

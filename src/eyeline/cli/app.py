@@ -8,6 +8,7 @@ import typer
 
 from eyeline.cli.demo import demo
 from eyeline.cli.doctor import doctor
+from eyeline.cli.draw import draw
 from eyeline.cli.explain import explain
 from eyeline.cli.info import info
 from eyeline.cli.render import render
@@ -22,7 +23,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (render, explain, info, doctor, demo):
+for command in (render, draw, explain, info, doctor, demo):
     app.command()(command)
 
 

@@ -29,20 +29,24 @@ def demo(
     quiet: Quiet = False,
     debug: Debug = False,
 ) -> None:
-    """Make a film, a picture and a contact sheet of a built-in scene."""
+    """Make a film, a picture, a drawing and a contact sheet of a built-in scene."""
     from eyeline.render.contact import contact_sheet
+    from eyeline.render.drawing import draw
     from eyeline.render.film import film
     from eyeline.samples.demo_shot import demo_shot
 
     if not output.parent.is_dir() or output.is_file():
         raise FileError(f"{output}: the folder cannot be made; its parent must be a folder, and it no file")
-    shown = film(demo_shot(), fps=fps, size=size_of(size), samples=samples)
+    scene = demo_shot()
+    shown = film(scene, fps=fps, size=size_of(size), samples=samples)
     output.mkdir(exist_ok=True)
-    made = [output / "demo.png", output / "contact_sheet.png", output / "demo.mp4"]
-    shown[len(shown) // 3].save(made[0])
-    contact_sheet(shown).save(made[1])
+    made = [output / name for name in ("demo.png", "drawing.svg", "contact_sheet.png", "demo.mp4")]
+    frame = len(shown) // 3
+    shown[frame].save(made[0])
+    draw(scene, time=float(shown.times[frame]), size=shown.shot.size).save(made[1])
+    contact_sheet(shown).save(made[2])
     with progress_bar("demo.mp4", quiet) as progress:
-        shown.save(made[2], progress=progress)
+        shown.save(made[3], progress=progress)
     if json:
         print(encoding.dumps({"paths": [str(path) for path in made], "frames": len(shown)}))
     elif not quiet:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from eyeline.geometry.arrays import FloatArray, IntArray
+from eyeline.geometry.arrays import FloatArray, IntArray, read_only
+from eyeline.jit import kernel
 
 
 def welded(rows: FloatArray | IntArray) -> tuple[IntArray, IntArray]:
@@ -19,3 +20,33 @@ def welded(rows: FloatArray | IntArray) -> tuple[IntArray, IntArray]:
     rank = np.empty(len(order), dtype=np.int32)
     rank[order] = np.arange(len(order), dtype=np.int32)
     return first[order], rank[index.reshape(-1)]
+
+
+def first_alike(rows: IntArray) -> IntArray:
+    """(N,) int32: for each of the rows (N, K) int32 the number of the first that equals it."""
+    first = np.empty(len(rows), dtype=np.int32)
+    slots = 1 << max(4, (2 * len(rows)).bit_length())
+    _first_alike(read_only(np.ascontiguousarray(rows)), np.full(slots, -1, dtype=np.int32), first)
+    return first
+
+
+@kernel
+def _first_alike(rows, table, first):
+    """Fill first. `table` is a hash table of rows, all -1."""
+    mask = table.shape[0] - 1
+    for row in range(rows.shape[0]):
+        mixed = np.uint64(0)
+        for k in range(rows.shape[1]):
+            mixed = (mixed ^ np.uint64(np.uint32(rows[row, k]))) * np.uint64(0x9E3779B97F4A7C15)
+            mixed ^= mixed >> np.uint64(29)
+        slot = np.int64(mixed >> np.uint64(32)) & mask
+        found = False
+        while table[slot] >= 0 and not found:
+            found = True
+            for k in range(rows.shape[1]):
+                found &= rows[table[slot], k] == rows[row, k]
+            if not found:
+                slot = (slot + 1) & mask
+        if not found:
+            table[slot] = row
+        first[row] = table[slot]

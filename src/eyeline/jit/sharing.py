@@ -41,8 +41,8 @@ class Pool:
     def step_aside(self) -> None:
         """Keep the threads off the core their caller runs on, if there is another one for each.
 
-        A virtual machine's core that has slept a while does not count as idle: Linux then wakes a thread on its
-        caller's core, where it waits until the caller is done.
+        A virtual machine's core that has slept a while does not count as idle: Linux then wakes a thread on
+        its caller's core, where it waits until the caller is done.
         """
         core = self._core()
         if core == self._clear_of:
