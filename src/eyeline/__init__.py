@@ -12,6 +12,7 @@ from eyeline.version import __version__
 
 if TYPE_CHECKING:
     from eyeline import errors, samples
+    from eyeline.comparison import Comparison, compare
     from eyeline.explanation import Explanation, explain
     from eyeline.files import load
     from eyeline.motion import Clip, Curve, Track
@@ -36,6 +37,7 @@ _HOMES = {
     "STYLES": "eyeline.shading.styles",
     "Camera": "eyeline.scene.camera",
     "Clip": "eyeline.motion",
+    "Comparison": "eyeline.comparison",
     "Curve": "eyeline.motion",
     "Drawing": "eyeline.render.drawing",
     "Explanation": "eyeline.explanation",
@@ -51,6 +53,7 @@ _HOMES = {
     "Texture": "eyeline.scene.texture",
     "TextureSlot": "eyeline.scene.texture",
     "Track": "eyeline.motion",
+    "compare": "eyeline.comparison",
     "draw": "eyeline.render.drawing",
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
@@ -67,6 +70,7 @@ __all__ = [
     "STYLES",
     "Camera",
     "Clip",
+    "Comparison",
     "Curve",
     "Drawing",
     "Explanation",
@@ -83,6 +87,7 @@ __all__ = [
     "TextureSlot",
     "Track",
     "__version__",
+    "compare",
     "draw",
     "errors",
     "explain",

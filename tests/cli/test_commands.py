@@ -99,3 +99,15 @@ def test_explain_writes_the_steps_of_a_method(tmp_path: Path, capfd: pytest.Capt
     assert found["method"] == "zbuffer" and found["steps"] > 100
     assert found["work"]["depth tests"] > 100
     assert path.read_text().startswith("<!doctype html>")
+
+
+def test_compare_measures_the_methods_that_are_named(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "sheet.png"
+    options = ["--methods", "zbuffer, backface", "--size", "64x36", "--json"]
+    found = json.loads(told(capfd, "compare", "sample:convex_body", "-o", str(path), *options))
+    assert [row["method"] for row in found["methods"]] == ["zbuffer", "backface"]
+    assert found["judge"] == "oracle"
+    with PIL.Image.open(path) as sheet:
+        assert sheet.size[0] == 1680

@@ -6,6 +6,7 @@ import sys
 
 import typer
 
+from eyeline.cli.compare import compare
 from eyeline.cli.demo import demo
 from eyeline.cli.doctor import doctor
 from eyeline.cli.draw import draw
@@ -23,7 +24,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (render, draw, explain, info, doctor, demo):
+for command in (render, draw, compare, explain, info, doctor, demo):
     app.command()(command)
 
 

@@ -89,7 +89,7 @@ class Explanation:
     @cached_property
     def colours(self) -> ByteArray:
         """(F, 3) sRGB: every face's colour in the explanation."""
-        from eyeline.explanation.colours import face_colours
+        from eyeline.shading.face_colours import face_colours
 
         return face_colours(self.scene, self.projected.camera)
 

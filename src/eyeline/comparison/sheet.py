@@ -1,0 +1,84 @@
+"""A comparison as one picture."""
+
+from __future__ import annotations
+
+import textwrap
+from functools import cache
+from typing import Any
+
+import numpy as np
+import PIL.Image
+import PIL.ImageDraw
+import PIL.ImageFont
+
+from eyeline.comparison.cells import HEADINGS, Row, judge_line, rows_of
+from eyeline.comparison.comparison import Comparison
+from eyeline.comparison.plot import plot
+from eyeline.comparison.thumbnails import HEIGHT, WIDTH, answer_picture, colours_of, map_of
+from eyeline.render.image import Image
+
+PAPER, STAGE, INK, FAINT, GOOD, BAD = "#f7f5f0", "#ffffff", "#22252b", "#6c717b", "#1f8a4c", "#c2342b"
+WIDE, MARGIN, HEAD, GAP = 1680, 28, 112, 14  # pixels
+COLUMNS = (0, 110, 262, 372, 496, 770)  # of the headings, from where the text begins
+TEXT, SMALL, TITLE = 18, 15, 26
+LINE = 22
+WORK_LINES = 6
+REFUSAL = 42  # characters of a line
+
+
+def sheet(comparison: Comparison) -> Image:
+    """Every method a row: what it sees, where it differs, time, memory, work; ladders below."""
+    rows, ladders = rows_of(comparison), [plot(ladder) for ladder in comparison.ladders]
+    below = max((one.size[1] + GAP for one in ladders), default=0)
+    tall = HEAD + len(rows) * (HEIGHT + GAP) + below + MARGIN
+    image = PIL.Image.new("RGB", (WIDE, tall), PAPER)
+    draw = PIL.ImageDraw.Draw(image)
+    draw.text((MARGIN, 20), comparison.title, INK, type_of(TITLE))
+    draw.text((MARGIN, 54), judge_line(comparison), FAINT, type_of(SMALL))
+    begin = MARGIN + 2 * (WIDTH + GAP) + GAP
+    for heading, column in zip(HEADINGS, COLUMNS, strict=True):
+        draw.text((begin + column, HEAD - 28), heading, FAINT, type_of(SMALL))
+    for left, name in ((MARGIN, "what it sees"), (MARGIN + WIDTH + GAP, "where it differs")):
+        draw.text((left, HEAD - 28), name, FAINT, type_of(SMALL))
+    colours = colours_of(comparison)
+    for number, (row, trial) in enumerate(zip(rows, comparison.trials, strict=True)):
+        top = HEAD + number * (HEIGHT + GAP)
+        draw.rectangle((MARGIN, top, WIDE - MARGIN, top + HEIGHT), fill=STAGE)
+        for left, shown in (
+            (MARGIN, answer_picture(comparison, trial, colours)),
+            (MARGIN + WIDTH + GAP, map_of(comparison, trial)),
+        ):
+            if shown is not None:
+                spare = WIDTH - shown.size[0], HEIGHT - shown.size[1]
+                image.paste(shown, (left + spare[0] // 2, top + spare[1] // 2))
+        write(draw, row, begin, top + 12)
+    for number, one in enumerate(ladders):
+        image.paste(one, (MARGIN + number * (one.size[0] + GAP), tall - MARGIN - one.size[1]))
+    return Image(np.asarray(image.convert("RGBA")))
+
+
+def write(draw: PIL.ImageDraw.ImageDraw, row: Row, left: int, top: int) -> None:
+    """A row's text."""
+    if row.agrees is None and not row.first:
+        lines: tuple[str, ...] = tuple(textwrap.wrap(row.agreement[0], REFUSAL))
+    else:
+        lines = row.agreement
+    verdict = FAINT if row.agrees is None else GOOD if row.agrees else BAD
+    cells = (
+        ((row.method,), INK), (row.time, INK), ((row.first,), INK), ((row.memory,), INK),
+        (lines, verdict), (row.work[:WORK_LINES], FAINT),
+    )  # fmt: skip
+    for (words, colour), column in zip(cells, COLUMNS, strict=True):
+        for number, line in enumerate(words):
+            first = number == 0 and column < COLUMNS[-1]
+            draw.text(
+                (left + column, top + LINE * number + (0 if first else 2)),
+                line, colour if first or column >= COLUMNS[-2] else FAINT, type_of(TEXT if first else SMALL),
+            )  # fmt: skip
+    draw.text((left, top + LINE + 2), row.space, FAINT, type_of(SMALL))
+
+
+@cache
+def type_of(height: int) -> Any:
+    """The type that Pillow brings along."""
+    return PIL.ImageFont.load_default(height)
