@@ -2,8 +2,8 @@
 All methods side by side
 ========================
 
-What each method sees of one scene, how long it takes, how much memory, and what it counts. All must agree wherever
-rounding cannot matter; brute force is the judge.
+What each method sees of one scene, how long it takes, how much memory, and what it counts. All must agree
+wherever rounding cannot matter; brute force is the judge.
 """
 
 import eyeline as el

@@ -2,7 +2,8 @@
 A method at work
 ================
 
-The depth buffer on three sheets that cut through each other, face by face: where each is the nearest so far, and where not.
+The depth buffer on three sheets that cut through each other, face by face: where each is the nearest so far,
+and where not.
 """
 
 import eyeline as el

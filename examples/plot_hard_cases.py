@@ -2,8 +2,9 @@
 Hard cases
 ==========
 
-Eight small scenes, each hard for one way of finding hidden surfaces or another: planks that overlap in a ring, sheets
-that pierce each other or share a plane, a sheet seen edge-on, a corner on an edge, 64 layers, and two bodies.
+Eight small scenes, each hard for one way of finding hidden surfaces or another: planks that overlap in a
+ring, sheets that pierce each other or share a plane, a sheet seen edge-on, a corner on an edge, 64 layers,
+and two bodies.
 """
 
 import numpy as np
