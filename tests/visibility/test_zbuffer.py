@@ -138,6 +138,25 @@ def test_a_large_picture_equals_the_oracle() -> None:
     assert np.array_equal(answer.depth, depth)
 
 
+def test_long_faces_that_only_just_reach_into_the_picture_equal_the_oracle() -> None:
+    random = np.random.default_rng(5)
+    xy = random.uniform((-8000, -40), (0, 80), (60, 3, 2)) * 256
+    xy[:, 0] = random.uniform((1, 0), (14, 40), (60, 2)) * 256
+    projected = soups.picture(
+        np.round(xy).reshape(-1, 2),
+        random.uniform(0, 1, 180),
+        np.arange(180).reshape(-1, 3),
+        np.array([3]),
+        (48, 40),
+        0,
+    )
+    face, depth = oracle.seen(projected)
+    assert len(np.unique(face)) > 5
+    answer = ZBUFFER(projected)
+    assert np.array_equal(answer.face, face)
+    assert np.array_equal(answer.depth, depth)
+
+
 def test_nothing_is_counted_twice() -> None:
     projected = soups.snapped("mixed", 2, (64, 48), 500)
     work = ZBUFFER(projected).work

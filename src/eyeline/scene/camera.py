@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 import numpy.typing as npt
 
+from eyeline.cached import cached_property
 from eyeline.errors import GeometryError
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
@@ -103,7 +104,7 @@ class Camera:
         """Millimetres on a 24 mm high sensor; None for an orthographic camera."""
         return None if self.fov is None else 1e3 * SENSOR_HEIGHT / (2 * math.tan(self.fov / 2))
 
-    @property
+    @cached_property
     def eye_from_world(self) -> FloatArray:
         """(4, 4)."""
         return transform.inverse(self.world_from_eye)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from eyeline.cached import cached_property
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.deformation import morphed, skinned, weights_of
@@ -22,7 +23,7 @@ class Surface:
     first_face: int
     visible: bool = True
 
-    @property
+    @cached_property
     def mirrored(self) -> bool:
         """Whether its placing turns front faces clockwise."""
         return transform.is_mirror(self.world_from_mesh)

@@ -14,8 +14,8 @@ from eyeline.visibility.binning import BAND_BITS, BLOCK, WORDS, make_key
 from eyeline.visibility.scratch import LINE
 
 ROWS = 1 << BAND_BITS
-LANES = 2 * LINE  # keys of a row that are drawn at once
-SMALL = 32 * UNITS  # of a box's sides, so that int32 holds its edge functions, also LANES beside it
+NARROW = 2 * LINE  # pixels: a face that is wider is drawn by its spans
+SMALL = 32 * UNITS  # of a box's sides, so that int32 holds its edge functions, also a line beside it
 FAR = 32768.0  # pixels: farther than any picture is wide
 LEVEL = 1048576.0  # stands for 1 / 0 at a level edge: half a unit outside it is then farther than FAR
 
@@ -46,8 +46,10 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
                 )  # fmt: skip
                 left, right, tests = min(left, drawn[0]), max(right, drawn[1]), tests + drawn[2]
                 end = previous[binned, begin // BLOCK]
+        if right < left:
+            blank(depth_bits[row0 * width : (row1 + 1) * width], face[row0 * width : (row1 + 1) * width])
+            continue
         # Beside the columns that something fell on the keys are still 0, and need no look
-        left = min(left, right + 1)
         for y in range(row0, row1 + 1):
             begin, row = y * width, (y - row0) * pitch
             blank(depth_bits[begin : begin + left], face[begin : begin + left])
@@ -64,10 +66,10 @@ def draw_bands(part, parts, size, scratch, depth_bits, face):
 def draw_entries(pixels, keys, records, spans, buffer, pitch, width, row0, row1):
     """Draw entries of a bin; the first and last column that they fell on, and how many pixels that is.
 
-    A record within LANES pixels from a cache line's border is drawn by its edge functions, in int32, which is
-    exact for SMALL ones; any other, and one that is cut by the picture's right border, by its spans.
+    A NARROW record is drawn by its edge functions, a line of pixels wide and down all its rows, in int32,
+    which is exact for SMALL ones; any other, and one that is cut by the picture's right border, by its spans.
     """
-    leftmost, rightmost, tests = width, -1, 0
+    leftmost, rightmost, tests, lanes = width, -1, 0, line_of(pitch)
     for j in range(pixels.shape[0]):
         if pixels[j] >= 0:
             x = np.int64(pixels[j] & 65535)
@@ -87,8 +89,7 @@ def draw_entries(pixels, keys, records, spans, buffer, pitch, width, row0, row1)
             min(((most_y + BEFORE_CENTRE) >> 8) - 1, row1),
         )
         leftmost, rightmost = min(leftmost, left), max(rightmost, min(right, width - 1))
-        base = left & -LINE
-        if right >= min(base + LANES, width) or max(most_x - least_x, most_y - least_y) > SMALL:
+        if right >= min(left + NARROW, width) or max(most_x - least_x, most_y - least_y) > SMALL:
             set_spans(x0, y0, x1, y1, x2, y2, left, min(right, width - 1), top, bottom, spans)
             tests += draw_spans(record, records, left, top, bottom, spans, buffer, row0, pitch)
             continue
@@ -96,27 +97,29 @@ def draw_entries(pixels, keys, records, spans, buffer, pitch, width, row0, row1)
         b = np.int64(records[record + np.uint64(4)]).view(np.float64)
         c = np.int64(records[record + np.uint64(5)]).view(np.float64)
         low_half = records[record + np.uint64(6)]
-        cx, cy = base * UNITS + CENTRE, top * UNITS + CENTRE
+        cx, cy = left * UNITS + CENTRE, top * UNITS + CENTRE
         e0, a0, b0 = edge(x1, y1, x2, y2, cx, cy)
         e1, a1, b1 = edge(x2, y2, x0, y0, cx, cy)
         e2, a2, b2 = edge(x0, y0, x1, y1, cx, cy)
-        x = np.float64(base)
-        for y in range(top, bottom + 1):
-            begin, covered = np.uint64((y - row0) * pitch + base), np.int32(0)
-            for i in range(LANES):
-                lane = np.int32(i)
-                f0, f1, f2 = (
-                    np.int32(e0 + np.int32(a0 * lane)),
-                    np.int32(e1 + np.int32(a1 * lane)),
-                    np.int32(e2 + np.int32(a2 * lane)),
-                )
-                inside = (f0 | f1 | f2) >= 0
-                key = make_key(depth_at(a, b, c, x + np.float64(lane), y), low_half)
-                place = begin + np.uint64(i)
-                buffer[place] = max(buffer[place], key if inside else np.int64(0))
-                covered = np.int32(covered + np.int32(inside))
-            tests += covered
-            e0, e1, e2 = np.int32(e0 + b0), np.int32(e1 + b1), np.int32(e2 + b2)
+        for x in range(left, right + 1, LINE):
+            f0, f1, f2 = e0, e1, e2
+            for y in range(top, bottom + 1):
+                begin, covered = np.uint64((y - row0) * pitch + x), np.int32(0)
+                for i in range(lanes):
+                    lane = np.int32(i)
+                    g0, g1, g2 = (
+                        np.int32(f0 + np.int32(a0 * lane)),
+                        np.int32(f1 + np.int32(a1 * lane)),
+                        np.int32(f2 + np.int32(a2 * lane)),
+                    )
+                    inside = (g0 | g1 | g2) >= 0
+                    key = make_key(depth_at(a, b, c, np.float64(x) + np.float64(lane), y), low_half)
+                    place = begin + np.uint64(i)
+                    buffer[place] = max(buffer[place], key if inside else np.int64(0))
+                    covered = np.int32(covered + np.int32(inside))
+                tests += covered
+                f0, f1, f2 = np.int32(f0 + b0), np.int32(f1 + b1), np.int32(f2 + b2)
+            e0, e1, e2 = np.int32(e0 + LINE * a0), np.int32(e1 + LINE * a1), np.int32(e2 + LINE * a2)
     return leftmost, rightmost, tests
 
 
@@ -126,6 +129,12 @@ def edge(x0, y0, x1, y1, cx, cy):
     a, b = y0 - y1, x1 - x0
     e = a * (cx - x0) + b * (cy - y0) + edge_bias(a, b)
     return np.int32(e), np.int32(a * UNITS), np.int32(b * UNITS)
+
+
+@helper
+def line_of(pitch):
+    """LINE, in a way that the compiler does not see through: else it unrolls loops and finds no vectors."""
+    return min(pitch, LINE) & LINE
 
 
 @helper
@@ -191,20 +200,19 @@ def draw_spans(record, records, left, top, bottom, spans, buffer, row0, pitch):
     b = np.int64(records[record + np.uint64(4)]).view(np.float64)
     c = np.int64(records[record + np.uint64(5)]).view(np.float64)
     low_half = records[record + np.uint64(6)]
-    pixels = 0
+    pixels, lanes = 0, line_of(pitch)
     for r in range(bottom - top + 1):
         low, high, y = left + np.int64(spans[r]), left + np.int64(spans[ROWS + r]), top + r
         if low > high:
             continue
         pixels += high - low + 1
-        for x in range(low & -LINE, high + 1, LANES):
-            begin = np.uint64((y - row0) * pitch + x)
-            first, last, x0 = np.int32(low - x), np.int32(high - x), np.float64(x)
-            for i in range(LANES):
+        begin = np.uint64((y - row0) * pitch)
+        for x in range(low, high + 1, LINE):
+            x0, last = np.float64(x), np.int32(high - x)
+            for i in range(lanes):
                 key = make_key(depth_at(a, b, c, x0 + np.float64(np.int32(i)), y), low_half)
-                inside = (np.int32(i) >= first) & (np.int32(i) <= last)
-                place = begin + np.uint64(i)
-                buffer[place] = max(buffer[place], key if inside else np.int64(0))
+                place = begin + np.uint64(x + i)
+                buffer[place] = max(buffer[place], key if np.int32(i) <= last else np.int64(0))
     return pixels
 
 
