@@ -14,7 +14,7 @@ from eyeline.jit import helper, kernel, trailing_zeros
 
 BLOCK = 512  # a bin is a chain of blocks of so many entries
 BAND_BITS = 5  # a band is 32 rows: its keys, 1920 wide, are 480 kB and stay in the second cache
-CHUNK = 4096  # faces handled together
+CHUNK = 1024  # faces handled together
 BAND_SHIFT = 16 + BAND_BITS  # (y << 16 | x) >> BAND_SHIFT is a pixel's band
 WORDS = 8  # int64 of a record, a cache line: three corners y << 32 | x, the plane's a b c, a key's lower half
 RECORD = -1  # in the place of a pixel: this entry of a bin is a record
