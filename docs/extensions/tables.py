@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import inspect
+import json
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any, ClassVar
 
 from docutils import nodes
@@ -16,6 +18,7 @@ from eyeline.files import READERS
 from eyeline.files.gltf.extensions import KNOWN
 
 SIZE = (640, 360)
+RESULTS = Path(__file__).resolve().parents[2] / "benchmarks" / "results.json"
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
@@ -91,8 +94,40 @@ def idea(thing: Any) -> str:
     return (inspect.getdoc(thing) or "").partition("\n")[0].replace("|", "\\|")
 
 
+COMPARED = {
+    "backface": ("each face with the eye", "none: every face alone"),
+    "painter": ("faces with faces", "depth: few neighbours in the sorted list overlap"),
+    "roberts": ("edges with bodies", "object: a body is one, however many faces it has"),
+    "zbuffer": ("faces with a pixel's depth", "none: faces come in any order"),
+    "warnock": ("faces with areas", "area: neighbouring pixels see the same face"),
+    "octree": ("cubes of faces with areas' depths", "object and frame: what was hidden stays hidden"),
+    "scanline": ("spans on a row", "scan line and span: the next row, the next pixel see nearly the same"),
+    "raycast": ("a ray with boxes and faces", "area: neighbouring rays walk the tree together"),
+}  # a method -> what it compares, and the coherence it uses
+
+
+def spaces(_: str) -> str:
+    """The textbook's table of object-space and image-space methods, with what was measured."""
+    kept = json.loads(RESULTS.read_text())["rows"]
+    lines = [
+        "| method | decides in | compares | coherence | time, 1M faces | grows with faces | with pixels |",
+        "|---|---|---|---|--:|--:|--:|",
+    ]
+    for name, method in eyeline.METHODS.items():
+        time = "1" if name == "zbuffer" else ""
+        for row in kept.get("methods", ()):
+            if row["what"].startswith(f"{name},"):
+                time = f"{row['ours'] / row['theirs']:.1f}" + (" (100k)" if "0.1M" in row["what"] else "")
+        exponents = {row["what"]: f"n^{row['ours']:.2f}" for row in kept.get("growth", ())}
+        cells = [f"[{name}](/methods/{name}.md)", f"{method.space} space", *COMPARED[name], time]
+        cells += [exponents.get(f"{name}, exponent of {unit}", "") for unit in ("faces", "pixels")]
+        lines.append(f"| {' | '.join(cells)} |")
+    return "\n".join(lines)
+
+
 WRITERS: dict[str, Callable[[str], str]] = {
     "methods-table": methods,
+    "methods-in-both-spaces": spaces,
     "styles-table": styles,
     "readers-table": readers,
     "gltf-extensions": extensions,
