@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 import threading
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -13,6 +17,7 @@ import pytest
 from eyeline import jit
 from eyeline.jit import sharing
 from eyeline.jit.fingerprint import fingerprint
+from eyeline.jit.forms import form_of, told
 
 
 @jit.helper
@@ -26,14 +31,25 @@ def double(numbers):
         numbers[place] = twice(numbers[place])
 
 
-def run_fresh() -> tuple[int, int]:
-    """Run `double` as a new process would; how often it was loaded, and how often compiled."""
-    fresh = jit.Kernel(double.function, double.options)
-    numbers = np.arange(5)
-    fresh(numbers)
-    assert numbers.tolist() == [0, 2, 4, 6, 8]
-    stats = fresh.compiled().stats
-    return len(stats.cache_hits), len(stats.cache_misses)
+@dataclass
+class Compiler:
+    """Counts what is compiled."""
+
+    count: int = 0
+
+
+@pytest.fixture
+def compiler(monkeypatch: pytest.MonkeyPatch) -> Compiler:
+    from eyeline.jit import compiler
+
+    counted, compiled = Compiler(), compiler.compiled
+
+    def count(function: Any, options: Any, form: Any) -> Any:
+        counted.count += 1
+        return compiled(function, options, form)
+
+    monkeypatch.setattr(compiler, "compiled", count)
+    return counted
 
 
 @pytest.fixture
@@ -44,20 +60,21 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     jit.cache_folder.cache_clear()
 
 
-def test_the_second_process_loads_what_the_first_has_compiled(folder: Path) -> None:
-    assert run_fresh() == (0, 1)
-    assert run_fresh() == (1, 0)
+def run_fresh() -> None:
+    """Run `double` as a new process would."""
+    numbers = np.arange(5)
+    jit.Kernel(double.function, double.options)(numbers)  # type: ignore[attr-defined]
+    assert numbers.tolist() == [0, 2, 4, 6, 8]
 
 
-def test_a_kept_kernel_needs_no_dispatcher_of_what_it_calls(folder: Path) -> None:
+def test_the_second_process_loads_what_the_first_has_compiled(folder: Path, compiler: Compiler) -> None:
     run_fresh()
-    fresh = jit.Kernel(double.function, double.options)
-    fresh(np.arange(5))
-    assert isinstance(fresh.compiled().py_func.__globals__["twice"], jit.Helper)
+    run_fresh()
+    assert compiler.count == 1
 
 
 @pytest.mark.parametrize("damage", ["empty", "cut", "other", "bent at the end"])
-def test_a_damaged_file_is_compiled_again(folder: Path, damage: str) -> None:
+def test_a_damaged_file_is_compiled_again(folder: Path, compiler: Compiler, damage: str) -> None:
     run_fresh()
     (file,) = folder.rglob("*.kernel")
     whole = file.read_bytes()
@@ -68,30 +85,227 @@ def test_a_damaged_file_is_compiled_again(folder: Path, damage: str) -> None:
         "bent at the end": whole[:-2] + bytes([whole[-2] ^ 1]) + whole[-1:],
     }
     file.write_bytes(bent[damage])
-    assert run_fresh() == (0, 1)
-    assert run_fresh() == (1, 0)
+    run_fresh()
+    assert compiler.count == 2
+    run_fresh()
+    assert compiler.count == 2
 
 
-def test_machine_code_with_a_wrong_bit_never_runs(folder: Path) -> None:
+def test_machine_code_with_a_wrong_bit_never_runs(folder: Path, compiler: Compiler) -> None:
     run_fresh()
     (file,) = folder.rglob("*.kernel")
     whole = file.read_bytes()
-    for place in np.random.default_rng(3).integers(0, len(whole), 4):
+    for before, place in enumerate(np.random.default_rng(3).integers(0, len(whole), 4), 1):
         bent = bytearray(whole)
         bent[place] ^= 16
         file.write_bytes(bytes(bent))
-        assert run_fresh() == (0, 1)
+        run_fresh()
+        assert compiler.count == 1 + before
 
 
-def test_a_folder_that_cannot_be_made_keeps_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_folder_that_cannot_be_made_keeps_nothing(
+    tmp_path: Path, compiler: Compiler, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("EYELINE_CACHE_DIR", str(tmp_path / "file"))
     jit.cache_folder.cache_clear()
     try:
-        assert run_fresh() == (0, 1)
-        assert run_fresh() == (0, 1)
+        run_fresh()
+        run_fresh()
     finally:
         jit.cache_folder.cache_clear()
+    assert compiler.count == 2
+
+
+# --- arguments and results ------------------------------------------------------------------------------
+
+
+class Pair(NamedTuple):
+    first: np.ndarray
+    rest: tuple[int, float]
+
+
+@jit.kernel
+def gathered(pair, weights, sign, scale):
+    total = 0.0
+    for row in range(pair.first.shape[0]):
+        for column in range(pair.first.shape[1]):
+            total += pair.first[row, column] * weights[column]
+    room = np.empty(3, np.float64)
+    room[:] = total * scale + pair.rest[0] - pair.rest[1]
+    return room.sum() if sign else -room.sum()
+
+
+@jit.kernel
+def count_of(numbers, least):
+    count = 0
+    for number in numbers:
+        if number >= least:
+            count += 1
+    return count
+
+
+GRID = np.arange(12.0).reshape(3, 4)
+
+
+EVERY_SECOND = np.arange(48.0).reshape(6, 8)[::2, ::2]
+
+
+@pytest.mark.parametrize(
+    ("grid", "sign", "scale"),
+    [
+        (GRID, True, 2),
+        (GRID.T.copy().T, np.bool(False), np.int64(2)),
+        (EVERY_SECOND, True, 2.5),
+        (GRID, True, np.float32(2.5)),
+        (GRID, False, np.int32(2)),
+        (GRID, False, True),
+    ],
+    ids=["C order", "Fortran order", "no order", "float32", "int32", "bool"],
+)
+def test_a_kernel_computes_what_its_python_does(grid: np.ndarray, sign: Any, scale: Any) -> None:
+    arguments = (Pair(grid, (3, 0.5)), np.arange(4, dtype=np.float32), sign, scale)
+    expected = gathered.function(*arguments)  # type: ignore[attr-defined]
+    found = gathered(*arguments)
+    assert type(found) is float
+    assert found == expected
+
+
+@pytest.mark.parametrize("dtype", [np.uint8, np.int32, np.int64, np.float32, np.float64])
+def test_arrays_of_every_type_are_read(folder: Path, dtype: type) -> None:
+    numbers = np.array([1, 5, 2, 9, 5], dtype)
+    assert count_of(numbers, 5) == 3
+    numbers.flags.writeable = False
+    assert count_of(numbers, 5) == 3
+
+
+def test_a_number_too_large_for_a_kernel_is_refused(folder: Path) -> None:
+    with pytest.raises(OverflowError):
+        count_of(np.arange(3), 2**63)
+
+
+def test_a_kernel_gives_nothing_when_it_returns_nothing(folder: Path) -> None:
+    assert double(np.arange(3)) is None  # type: ignore[func-returns-value]
+
+
+def test_no_reference_is_lost_or_kept(folder: Path) -> None:
+    numbers, grid, rest = np.arange(3000), np.arange(4.0).reshape(2, 2), (70000, 0.5)
+    calls = 1000
+
+    def references() -> list[int]:
+        return [sys.getrefcount(one) for one in (numbers, grid, rest, None)]
+
+    before = references()
+    for _ in range(calls):
+        count_of(numbers, 70000)
+        gathered(Pair(grid, rest), np.ones(2, np.float32), True, 2)
+        double(numbers)
+    assert np.abs(np.subtract(references(), before)).max() < calls // 10
+
+
+class Shuffled:
+    """Where a class of another version of the package stands."""
+
+    class Pair(NamedTuple):
+        rest: tuple[int, float]
+        first: np.ndarray
+
+
+def test_fields_of_a_named_tuple_are_found_by_name() -> None:
+    Shuffled.Pair.__qualname__ = Pair.__qualname__
+    ours, theirs = Pair(GRID, GRID), Shuffled.Pair(GRID, GRID)  # type: ignore[arg-type]
+    assert told(form_of((ours,))) != told(form_of((theirs,)))
+
+
+def test_forms_may_alternate(folder: Path) -> None:
+    """The guard in the machine code tells every difference that a form does."""
+    numbers = np.arange(6, dtype=np.float32)
+    frozen = numbers.copy()
+    frozen.flags.writeable = False
+    odd = np.zeros(25, np.uint8)[1:].view(np.float32)
+    odd[:] = numbers
+    swapped = numbers.astype(">f4").astype(np.float64)
+    for _ in range(2):
+        for one in (numbers, frozen, odd, swapped, numbers[::2], numbers.astype(np.int16)):
+            for least in (2, np.int64(2), 2.0, np.float32(2), np.float64(2), True):
+                assert count_of(one, least) == (one >= least).sum()
+
+
+def test_an_array_of_one_row_has_the_form_of_others() -> None:
+    assert form_of((np.ones((1, 4)), np.ones((3, 4))))[0] == form_of((np.ones((3, 4)),))[0]
+
+
+def test_too_few_arguments_are_refused_and_too_many(folder: Path) -> None:
+    count_of(np.arange(3), 1)
+    for arguments in ((np.arange(3),), (np.arange(3), 1, 2)):
+        with pytest.raises(TypeError):
+            count_of(*arguments)
+
+
+def test_other_arguments_are_refused(folder: Path) -> None:
+    with pytest.raises(TypeError, match="a kernel takes no str"):
+        count_of("words", 5)
+
+
+# --- processes ------------------------------------------------------------------------------------------
+
+PICTURE = """
+import sys
+import eyeline as el
+seen = el.visible(el.samples.cornell_box(), size=(32, 24))
+sys.stdout.buffer.write(seen.face.tobytes() + seen.depth.tobytes())
+sys.stderr.write(str("numba" in sys.modules))
+"""
+
+
+def processes(count: int, **changes: str) -> list[tuple[bytes, bytes]]:
+    """What `PICTURE` gives in processes side by side: what is seen, and whether Numba was imported."""
+    running = [
+        subprocess.Popen(
+            [sys.executable, "-c", PICTURE],
+            env=os.environ | changes,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
+        for _ in range(count)
+    ]
+    return [process.communicate(timeout=300) for process in running]
+
+
+def test_a_warm_process_sees_the_same_without_numba(tmp_path: Path) -> None:
+    """Two processes fill one empty folder side by side, one reads it, one cannot keep anything."""
+    first = processes(2, EYELINE_CACHE_DIR=str(tmp_path))
+    warm = processes(1, EYELINE_CACHE_DIR=str(tmp_path))
+    (tmp_path / "file").touch()
+    homeless = processes(1, EYELINE_CACHE_DIR=str(tmp_path / "file"))
+    assert {seen for seen, _ in first + warm + homeless} == {first[0][0]}
+    assert len(first[0][0]) == 32 * 24 * (4 + 4)
+    assert [told for _, told in warm + homeless] == [b"False", b"True"]
+    assert [
+        path for path in tmp_path.rglob("*") if path.is_file() and path.suffix not in (".kernel", "")
+    ] == []
+
+
+def test_a_forked_process_runs_what_its_parent_has_loaded(folder: Path) -> None:
+    run_fresh()
+    child = os.fork() if hasattr(os, "fork") else None
+    if child == 0:
+        try:
+            run_fresh()
+            assert count_of(np.arange(3), 1) == 2
+        except BaseException:
+            os._exit(1)
+        os._exit(0)
+    if child is not None:
+        assert os.waitpid(child, 0)[1] == 0
+
+
+def test_threads_that_call_a_kernel_first_compile_it_once(folder: Path, compiler: Compiler) -> None:
+    fresh = jit.Kernel(double.function, double.options)  # type: ignore[attr-defined]
+    rows = np.ones((8, 1000), np.int64)
+    jit.share(lambda part: fresh(rows[part]), len(rows))
+    assert compiler.count == 1
+    assert (rows == 2).all()
 
 
 # --- what a kernel is compiled from -------------------------------------------------------------------
@@ -173,8 +387,8 @@ def test_every_kernel_of_the_package_has_a_fingerprint() -> None:
 
     assert warming.errands()
     ours = [one for one in jit.KERNELS if one.function.__module__.startswith("eyeline.")]
-    told = [fingerprint(one.function, one.options) for one in ours if one.options.get("cache")]
-    assert len(told) == len(set(told))
+    prints = [fingerprint(one.function, one.options) for one in ours]
+    assert len(prints) == len(set(prints))
 
 
 @pytest.fixture

@@ -2,118 +2,163 @@
 
 from __future__ import annotations
 
+import os
 import threading
 import types
 from collections.abc import Callable
 from functools import cached_property, wraps
-from typing import Any, TypeVar, cast
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
+from eyeline.jit import kept
 from eyeline.jit.fingerprint import fingerprint
-from eyeline.jit.folder import cache_folder
-from eyeline.jit.kept import Kept
+from eyeline.jit.folder import announce, cache_folder
+from eyeline.jit.forms import Form, form_of, marks, told
+
+if TYPE_CHECKING:
+    from eyeline.jit.machine import Loaded
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
+# Numba's own switch: kernels run as the Python they are written in
+INTERPRETED = os.environ.get("NUMBA_DISABLE_JIT", "") not in ("", "0")
+
 COMMON = {"nogil": True, "error_model": "numpy", "no_cfunc_wrapper": True}  # C code calls no kernel of ours
 
-KERNELS: list[Kernel] = []  # every kernel and helper, in order of import
+KERNELS: list[Kernel] = []  # in order of import
 
 _compiling = threading.RLock()
 
 
 class Kernel:
-    """A function that Numba compiles when it is first called.
+    """A function that Python calls and Numba has compiled.
 
-    Called from Python it compiles itself and every kernel or helper its body names, once, and keeps
-    the machine code in the user's cache folder.
+    The first call with arguments of a form loads the machine code for it from the user's cache folder,
+    without importing Numba, or has it compiled and keeps it there.
     """
 
     def __init__(self, function: Callable[..., Any], options: dict[str, object]) -> None:
         wraps(function)(self)
         self.function = function
         self.options = options
-        self._compiled: Callable[..., Any] | None = None
+        self._latest: Callable[[tuple[Any, ...]], Any] = _no_form_yet
+        self._loaded: dict[Form, Loaded] = {}
         KERNELS.append(self)
 
     def __call__(self, *arguments: Any) -> Any:
         """Run, compiled."""
-        return (self._compiled or self.compiled())(*arguments)
+        result = self._latest(arguments)
+        return self._other(arguments) if result is NotImplemented else result
 
-    def compiled(self) -> Callable[..., Any]:
-        """The dispatcher of this kernel, made at the first request."""
+    def _other(self, arguments: tuple[Any, ...]) -> Any:
+        """Run with arguments of another form than the latest."""
+        form = form_of(arguments)
+        loaded = self._loaded.get(form) or self._load(form)
+        self._latest = loaded.guarded
+        return loaded.trusting(arguments)
+
+    def _load(self, form: Form) -> Loaded:
+        """The machine code for arguments of this form."""
+        from eyeline.jit.machine import Loaded
+
         with _compiling:
-            if self._compiled is None:
-                self._compiled = self._compile()
-            return self._compiled
+            if form not in self._loaded:
+                name = kept.file_name(self._identity, told(form))
+                folder = cache_folder()
+                file = folder and folder / name
+                symbol, code = (file and kept.read(file)) or self._compile(form, name, file)
+                self._loaded[form] = Loaded(symbol, code, marks(form))
+            return self._loaded[form]
 
-    def _compile(self) -> Callable[..., Any]:
-        import numba
+    def _compile(self, form: Form, name: str, file: Path | None) -> tuple[str, bytes]:
+        announce("eyeline: compiling kernels for this machine, this once (up to 20 s)")
+        from eyeline.jit import compiler
 
-        code = self.function.__code__
-        scope = dict(self.function.__globals__)
-        function = types.FunctionType(code, scope, code.co_name, self.function.__defaults__)
-        function.__module__ = self.function.__module__
-        function.__qualname__ = self.function.__qualname__
-
-        def name_kernels() -> None:
-            # The body's globals name other kernels; Numba must find their dispatchers there.
-            for name in code.co_names:
-                if isinstance(scope.get(name), Kernel):
-                    scope[name] = scope[name].compiled()
-
-        keeps = self.options.get("cache") and not numba.config.DISABLE_JIT
-        folder = cache_folder() if keeps else None
-        dispatcher = numba.njit(**(self.options | {"cache": False}))(function)
-        if folder:
-            name = f"{function.__module__}.{function.__qualname__}-{fingerprint(self.function, self.options)}"
-            dispatcher._cache = Kept(folder, name, name_kernels)
-        else:
-            name_kernels()
-        return cast(Callable[..., Any], dispatcher)
-
-
-class Intrinsic(Kernel):
-    """A machine instruction that Numba offers and Python does not; uncompiled, the function stands in."""
-
-    def _compile(self) -> Callable[..., Any]:
-        import numba
-
-        if numba.config.DISABLE_JIT:
-            return self.function
-        from numba.cpython.unsafe import numbers
-
-        return cast(Callable[..., Any], getattr(numbers, self.function.__name__))
-
-
-class Helper(Kernel):
-    """A function that kernels call.
-
-    It is compiled without a way in from Python, which no kernel needs and which takes as long as the body;
-    called from Python, which tests do, it is compiled once more, with one.
-    """
+        function = _for_numba(self.function)
+        # Machine code of all kernels is linked together; no two may have a name in common
+        function.__qualname__ = name
+        result = compiler.compiled(function, self.options, form)
+        if file and result.stands_alone:
+            kept.write(file, result.symbol, result.code)
+        return result.symbol, result.code
 
     @cached_property
-    def _from_python(self) -> Kernel:
-        return Kernel(self.function, self.options | {"no_cpython_wrapper": False})
+    def _identity(self) -> str:
+        function = self.function
+        return f"{function.__module__}.{function.__qualname__}-{fingerprint(function, self.options)}"
+
+
+class Helper:
+    """A function that kernels call: compiled into them, without a way in from Python.
+
+    Called from Python, which tests do, it is compiled once more, with one.
+    """
+
+    def __init__(self, function: Callable[..., Any], options: dict[str, object]) -> None:
+        wraps(function)(self)
+        self.function = function
+        self.options = options
 
     def __call__(self, *arguments: Any) -> Any:
         """Run, compiled for Python."""
         return self._from_python(*arguments)
 
+    @cached_property
+    def for_kernels(self) -> Callable[..., Any]:
+        """What Numba finds under its name in the globals of a kernel."""
+        import numba
+
+        wrapped = {"no_cpython_wrapper": True, "_nrt": False}
+        return cast(Callable[..., Any], numba.njit(**(self.options | wrapped))(_for_numba(self.function)))
+
+    @cached_property
+    def _from_python(self) -> Callable[..., Any]:
+        import numba
+
+        return cast(Callable[..., Any], numba.njit(**self.options)(_for_numba(self.function)))
+
+
+class Intrinsic(Helper):
+    """A machine instruction that Numba offers and Python does not; uncompiled, the function stands in."""
+
+    @cached_property
+    def for_kernels(self) -> Callable[..., Any]:
+        """Numba's own."""
+        from numba.cpython.unsafe import numbers
+
+        return cast(Callable[..., Any], getattr(numbers, self.function.__name__.lstrip("_")))
+
+
+def _for_numba(function: Callable[..., Any]) -> types.FunctionType:
+    """The function, with Numba's functions in its globals where ours name helpers."""
+    code, scope = function.__code__, dict(function.__globals__)
+    for name in code.co_names:
+        if isinstance(scope.get(name), Helper):
+            scope[name] = scope[name].for_kernels
+    copy = types.FunctionType(code, scope, code.co_name, function.__defaults__)
+    copy.__module__, copy.__qualname__ = function.__module__, function.__qualname__
+    return copy
+
+
+def _no_form_yet(arguments: tuple[Any, ...]) -> Any:
+    return NotImplemented
+
 
 def kernel(function: Function) -> Function:
     """Compile `function` when it is first called: releases the GIL, IEEE arithmetic, kept on disk."""
-    return cast(Function, Kernel(function, COMMON | {"cache": True}))
+    return function if INTERPRETED else cast(Function, Kernel(function, COMMON))
 
 
 def helper(function: Function) -> Function:
     """A scalar function that kernels call: compiled into them, without reference counts of its own."""
-    return cast(Function, Helper(function, COMMON | {"no_cpython_wrapper": True, "_nrt": False}))
+    return function if INTERPRETED else cast(Function, Helper(function, COMMON))
 
 
 def _trailing_zeros(number: int) -> int:
+    """How many zeros a whole number other than 0 ends with, in bits."""
     return (int(number) & -int(number)).bit_length() - 1
 
 
-_trailing_zeros.__name__ = "trailing_zeros"
-trailing_zeros = cast(Callable[[int], int], Intrinsic(_trailing_zeros, {}))
+trailing_zeros = (
+    _trailing_zeros if INTERPRETED else cast(Callable[[int], int], Intrinsic(_trailing_zeros, {}))
+)
