@@ -83,7 +83,8 @@ def add_entry(context: Any, module: ir.Module, described: Any) -> None:
     )
     python.restore_thread(thread)
     with builder.if_then(status.is_error, likely=False):
-        python.err_set_string("PyExc_MemoryError", f"{described.qualname} has no room to work in")
+        reason = "failed: no memory, or an index outside of its array"
+        python.err_set_string("PyExc_RuntimeError", f"kernel {described.qualname} {reason}")
         builder.ret(python.get_null_object())
     builder.ret(boxed(python, described.restype, result))
 
