@@ -195,11 +195,15 @@ def test_no_reference_is_lost_or_kept(folder: Path) -> None:
     def references() -> list[int]:
         return [sys.getrefcount(one) for one in (numbers, grid, rest, None)]
 
-    before = references()
-    for _ in range(calls):
+    def call() -> None:
         count_of(numbers, 70000)
         gathered(Pair(grid, rest), np.ones(2, np.float32), True, 2)
         double(numbers)
+
+    call()
+    before = references()
+    for _ in range(calls):
+        call()
     assert np.abs(np.subtract(references(), before)).max() < calls // 10
 
 
@@ -215,6 +219,46 @@ def test_fields_of_a_named_tuple_are_found_by_name() -> None:
     Shuffled.Pair.__qualname__ = Pair.__qualname__
     ours, theirs = Pair(GRID, GRID), Shuffled.Pair(GRID, GRID)  # type: ignore[arg-type]
     assert told(form_of((ours,))) != told(form_of((theirs,)))
+
+
+@jit.kernel
+def halves(numbers):
+    first = numbers[: len(numbers) // 2]
+    doubled = np.empty((len(numbers), 2), np.float64)
+    for place in range(len(numbers)):
+        doubled[place, 0] = numbers[place]
+        doubled[place, 1] = 2 * numbers[place]
+    return first, doubled, doubled[1:, 1], (len(first), numbers[0] > 0)
+
+
+def test_a_kernel_returns_arrays_and_tuples_of_them(folder: Path) -> None:
+    numbers = np.arange(1, 8, dtype=np.float32)
+    first, doubled, column, (count, positive) = halves(numbers)
+    assert (count, positive) == (3, True)
+    np.testing.assert_array_equal(first, numbers[:3])
+    np.testing.assert_array_equal(doubled, np.stack([numbers, 2 * numbers], axis=1))
+    np.testing.assert_array_equal(column, 2 * numbers[1:])
+    assert np.shares_memory(first, numbers)
+    assert np.shares_memory(column, doubled)
+    assert (first.dtype, doubled.dtype) == (np.float32, np.float64)
+
+
+def test_what_a_kernel_returns_lives_as_long_as_it_is_held(folder: Path) -> None:
+    column = halves(np.arange(1.0, 4000.0))[2]
+    for _ in range(100):
+        halves(np.zeros(3999))
+    np.testing.assert_array_equal(column, 2 * np.arange(2.0, 4000.0))
+
+
+def test_what_a_kernel_returns_is_freed(folder: Path) -> None:
+    """Each call makes 8 MB; a thousand would not fit."""
+    resource = pytest.importorskip("resource")
+    numbers = np.zeros(500_000)
+    halves(numbers)
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    for _ in range(100):
+        halves(numbers)
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 200_000  # kB
 
 
 def test_forms_may_alternate(folder: Path) -> None:

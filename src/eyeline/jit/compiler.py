@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-from dataclasses import dataclass
 from typing import Any
 
 import numba
@@ -12,18 +11,12 @@ from numba.core import types
 from numba.core.compiler import CompilerBase, DefaultPassBuilder
 from numba.core.compiler_machinery import PassManager, register_pass
 from numba.core.typed_passes import NativeLowering
+from numba.np.numpy_support import as_dtype
 
 from eyeline.jit.entry import Lowering, entry_name
 from eyeline.jit.forms import Form
-
-
-@dataclass(frozen=True)
-class Compiled:
-    """Machine code of a kernel: an object file, and its symbol that Python calls."""
-
-    symbol: str
-    code: bytes
-    stands_alone: bool  # needs nothing of Numba when it is linked
+from eyeline.jit.kept import MachineCode
+from eyeline.jit.results import Plan
 
 
 class WithEntry(CompilerBase):  # type: ignore[misc]
@@ -42,14 +35,19 @@ class WithEntry(CompilerBase):  # type: ignore[misc]
 _LOWERING = register_pass(mutates_CFG=True, analysis_only=False)(Lowering)
 
 
-def compiled(function: Any, options: dict[str, object], form: Form) -> Compiled:
-    """Compile `function` for arguments of this form; its globals hold Numba's functions, not ours."""
+def compiled(function: Any, options: dict[str, object], form: Form) -> tuple[MachineCode, bool]:
+    """Compile `function` for arguments of this form; its globals hold Numba's functions, not ours.
+
+    Gives also whether the code can be linked where Numba has not been imported.
+    """
     dispatcher = numba.njit(pipeline_class=WithEntry, **options)(function)
     signature = tuple(numba_type(one) for one in form)
     dispatcher.compile(signature)
     result = dispatcher.overloads[signature]
     library = result.library
-    return Compiled(entry_name(result.fndesc), library._get_compiled_object(), _stands_alone(library))
+    plan = plan_of(result.fndesc.restype)
+    machine = MachineCode(entry_name(result.fndesc), plan, library._get_compiled_object())
+    return machine, _stands_alone(library)
 
 
 def numba_type(form: Any) -> types.Type:
@@ -63,6 +61,15 @@ def numba_type(form: Any) -> types.Type:
         return types.BaseTuple.from_types(parts, form[0])
     dtype, dimensions, order, aligned, writeable = form
     return types.Array(numba.from_dtype(dtype), dimensions, order, readonly=not writeable, aligned=aligned)
+
+
+def plan_of(kind: Any) -> Plan:
+    """How `results.finished` makes what a kernel returns."""
+    if isinstance(kind, types.Array):
+        return str(as_dtype(kind.dtype).str)
+    if isinstance(kind, types.BaseTuple):
+        return [plan_of(one) for one in kind]
+    return None
 
 
 def _stands_alone(library: Any) -> bool:

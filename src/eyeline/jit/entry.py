@@ -86,7 +86,7 @@ def add_entry(context: Any, module: ir.Module, described: Any) -> None:
         reason = "failed: no memory, or an index outside of its array"
         python.err_set_string("PyExc_RuntimeError", f"kernel {described.qualname} {reason}")
         builder.ret(python.get_null_object())
-    builder.ret(boxed(python, described.restype, result))
+    builder.ret(boxed(context, builder, described.restype, result))
 
 
 def unboxed(context: Any, builder: ir.IRBuilder, kind: Any, value: ir.Value) -> ir.Value:
@@ -132,15 +132,35 @@ def array_at(context: Any, builder: ir.IRBuilder, kind: Any, value: ir.Value) ->
     return array._getvalue()
 
 
-def boxed(python: Any, kind: Any, result: ir.Value) -> ir.Value:
-    """What a kernel returns, as a Python object."""
+def boxed(context: Any, builder: ir.IRBuilder, kind: Any, result: ir.Value) -> ir.Value:
+    """What a kernel returns, as a Python object; of an array what `results.Held` needs to know."""
+    python = context.get_python_api(builder)
     if isinstance(kind, types.NoneType):
         return python.make_none()
     if isinstance(kind, types.Boolean):
         return python.bool_from_bool(result)
     if isinstance(kind, types.Integer) and kind.signed:
-        return python.long_from_longlong(python.builder.sext(result, WORD) if kind.bitwidth < 64 else result)
+        return python.long_from_longlong(builder.sext(result, WORD) if kind.bitwidth < 64 else result)
     if isinstance(kind, types.Float):
-        wide = ir.DoubleType()
-        return python.float_from_double(python.builder.fpext(result, wide) if kind.bitwidth < 64 else result)
+        wide = builder.fpext(result, ir.DoubleType()) if kind.bitwidth < 64 else result
+        return python.float_from_double(wide)
+    if isinstance(kind, types.BaseTuple):
+        parts = cgutils.unpack_tuple(builder, result, len(kind))
+        return packed(
+            python, [boxed(context, builder, one, part) for one, part in zip(kind, parts, strict=True)]
+        )
+    if isinstance(kind, types.Array):
+        array = context.make_array(kind)(context, builder, result)
+        numbers = [builder.ptrtoint(array.meminfo, WORD), builder.ptrtoint(array.data, WORD)]
+        numbers += cgutils.unpack_tuple(builder, array.shape, kind.ndim)
+        numbers += cgutils.unpack_tuple(builder, array.strides, kind.ndim)
+        return packed(python, [python.long_from_longlong(number) for number in numbers])
     raise TypeError(f"a kernel returns no {kind}")
+
+
+def packed(python: Any, members: list[ir.Value]) -> ir.Value:
+    """A tuple that owns these objects."""
+    made = python.tuple_new(len(members))
+    for place, one in enumerate(members):
+        python.tuple_setitem(made, place, one)
+    return made

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import sys
 import zlib
+from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -13,8 +15,10 @@ from pathlib import Path
 import numpy as np
 
 from eyeline.jit.folder import announce
+from eyeline.jit.results import Plan
 
 CHECK = 4  # bytes, at the head of a file
+MAKERS = ("compiler", "entry", "guard", "memory", "objects", "kept", "results")  # what else shapes a file
 
 
 def file_name(kernel: str, form: str) -> str:
@@ -36,11 +40,21 @@ def _surroundings() -> str:
     asked = sorted(
         pair for pair in os.environ.items() if pair[0].startswith("NUMBA_") and pair[0] != "NUMBA_NUM_THREADS"
     )
-    return repr((version, llvmlite.__version__, np.__version__, sys.version, processor(), asked))
+    makers = [Path(__file__).with_name(f"{name}.py").read_bytes() for name in MAKERS]
+    return repr((makers, version, llvmlite.__version__, np.__version__, sys.version, processor(), asked))
 
 
-def read(path: Path) -> tuple[str, bytes] | None:
-    """The symbol and the object file that `write` has written; None if they are not there or not whole."""
+@dataclass(frozen=True)
+class MachineCode:
+    """An object file, its symbol that Python calls, and what becomes of what that returns."""
+
+    symbol: str
+    plan: Plan
+    code: bytes
+
+
+def read(path: Path) -> MachineCode | None:
+    """What `write` has written; None if it is not there or not whole."""
     try:
         kept = path.read_bytes()
     except OSError:
@@ -48,17 +62,18 @@ def read(path: Path) -> tuple[str, bytes] | None:
     if kept[:CHECK] != zlib.crc32(kept[CHECK:]).to_bytes(CHECK, "little") or len(kept) <= CHECK:
         announce("eyeline: a kept kernel is damaged; it is compiled again")
         return None
-    symbol, _, code = kept[CHECK:].partition(b"\n")
-    return symbol.decode(), code
+    head, _, code = kept[CHECK:].partition(b"\n")
+    symbol, plan = json.loads(head)
+    return MachineCode(symbol, plan, code)
 
 
-def write(path: Path, symbol: str, code: bytes) -> None:
+def write(path: Path, machine: MachineCode) -> None:
     """Write a file with a check sum, for what a damaged one holds would run.
 
     It appears whole, so that processes that write and read it side by side do not disturb each other. A
     folder that cannot be written keeps nothing.
     """
-    body = symbol.encode() + b"\n" + code
+    body = json.dumps([machine.symbol, machine.plan]).encode() + b"\n" + machine.code
     unfinished = path.with_suffix(f".{os.urandom(8).hex()}")
     try:
         unfinished.write_bytes(zlib.crc32(body).to_bytes(CHECK, "little") + body)

@@ -66,21 +66,21 @@ class Kernel:
                 name = kept.file_name(self._identity, told(form))
                 folder = cache_folder()
                 file = folder and folder / name
-                symbol, code = (file and kept.read(file)) or self._compile(form, name, file)
-                self._loaded[form] = Loaded(symbol, code, marks(form))
+                machine = (file and kept.read(file)) or self._compile(form, name, file)
+                self._loaded[form] = Loaded(machine, marks(form))
             return self._loaded[form]
 
-    def _compile(self, form: Form, name: str, file: Path | None) -> tuple[str, bytes]:
+    def _compile(self, form: Form, name: str, file: Path | None) -> kept.MachineCode:
         announce("eyeline: compiling kernels for this machine, this once (up to 20 s)")
         from eyeline.jit import compiler
 
         function = _for_numba(self.function)
         # Machine code of all kernels is linked together; no two may have a name in common
         function.__qualname__ = name
-        result = compiler.compiled(function, self.options, form)
-        if file and result.stands_alone:
-            kept.write(file, result.symbol, result.code)
-        return result.symbol, result.code
+        machine, stands_alone = compiler.compiled(function, self.options, form)
+        if file and stands_alone:
+            kept.write(file, machine)
+        return machine
 
     @cached_property
     def _identity(self) -> str:

@@ -4,14 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
+from typing import TYPE_CHECKING
 
+import numpy as np
+
+from eyeline.render.drawing import draw
 from eyeline.render.frame import render
+from eyeline.render.visible import visible
+
+if TYPE_CHECKING:
+    from eyeline.scene.scene import Scene
 
 SIZE = (64, 48)
 
 
 def errands() -> list[Callable[[], object]]:
-    """Small pictures to make: every sample in the default style, and every style and method of one."""
+    """Small things to make: every sample in the default style, every style and method of one, a drawing."""
     from eyeline.samples import SAMPLES
     from eyeline.shading.styles import STYLES
     from eyeline.visibility import METHODS
@@ -20,7 +28,28 @@ def errands() -> list[Callable[[], object]]:
     first = next(iter(scenes.values()))
     answering = [name for name, method in METHODS.items() if method.answers]
     return [
-        *(partial(render, scene, size=SIZE) for scene in scenes.values()),
+        *(partial(render, scene, size=SIZE) for scene in (*scenes.values(), puppet())),
         *(partial(render, first, size=SIZE, style=style) for style in STYLES),
         *(partial(render, first, size=SIZE, samples=1, method=method) for method in answering),
+        lambda: visible(first, size=SIZE).node,
+        partial(draw, first, size=SIZE, hidden="dashed"),
     ]
+
+
+def puppet() -> Scene:
+    """A triangle with all that files bring and samples do not: a texture, a skin and a morph target."""
+    from eyeline.scene.material import Material
+    from eyeline.scene.mesh import Mesh, MorphTarget
+    from eyeline.scene.node import Node
+    from eyeline.scene.scene import Scene
+    from eyeline.scene.skin import Skin
+    from eyeline.scene.texture import Texture, TextureSlot
+
+    points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], np.float32)
+    texture = TextureSlot(Texture(np.full((4, 4, 4), 200, np.uint8)))
+    mesh = Mesh(
+        points, [[0, 1, 2]], uv=[points[:, :2]], material=Material(base_color_texture=texture),
+        targets=[MorphTarget(points)], weights=[0.5],
+        joints=np.zeros((3, 1)), influences=np.ones((3, 1)),
+    )  # fmt: skip
+    return Scene.of(Node("joint"), Node("puppet", mesh=mesh, skin=Skin((0,), np.eye(4)[None])))
