@@ -13,13 +13,14 @@ from eyeline.render.frame import render
 from eyeline.render.visible import visible
 
 if TYPE_CHECKING:
+    from eyeline.drawing.sheet import Sheet
     from eyeline.scene.scene import Scene
 
 SIZE = (64, 48)
 
 
 def errands() -> list[Callable[[], object]]:
-    """Small things to make: every sample in the default style, every style and method of one, a drawing."""
+    """Small things to make: every sample in the default style, every style and method of one, drawings."""
     from eyeline.samples import SAMPLES
     from eyeline.shading.styles import STYLES
     from eyeline.visibility import METHODS
@@ -32,8 +33,13 @@ def errands() -> list[Callable[[], object]]:
         *(partial(render, first, size=SIZE, style=style) for style in STYLES),
         *(partial(render, first, size=SIZE, samples=1, method=method) for method in answering),
         lambda: visible(first, size=SIZE).node,
-        partial(draw, first, size=SIZE, hidden="dashed"),
+        *(partial(drawn, scene) for scene in scenes.values()),
     ]
+
+
+def drawn(scene: Scene) -> Sheet:
+    """All lines of a scene, chained."""
+    return draw(scene, size=SIZE, hidden="dashed").sheet
 
 
 def puppet() -> Scene:
