@@ -117,6 +117,15 @@ def test_a_folder_that_cannot_be_made_keeps_nothing(
     assert compiler.count == 2
 
 
+def test_a_folder_that_cannot_be_written_keeps_nothing(folder: Path, compiler: Compiler) -> None:
+    kernels = jit.cache_folder()
+    assert kernels is not None
+    kernels.rmdir()
+    run_fresh()
+    run_fresh()
+    assert compiler.count == 2
+
+
 # --- arguments and results ------------------------------------------------------------------------------
 
 

@@ -10,16 +10,17 @@ from pathlib import Path
 
 @cache
 def cache_folder() -> Path | None:
-    """The folder of compiled kernels, or None where none can be written.
+    """The folder of compiled kernels, or None where there can be none.
 
-    EYELINE_CACHE_DIR overrides the user's cache directory.
+    EYELINE_CACHE_DIR overrides the user's cache directory. One that cannot be written, as in the image of a
+    container, is read nevertheless.
     """
     folder = cache_root() / "kernels"
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError:
         return None
-    return folder if os.access(folder, os.W_OK) else None
+    return folder
 
 
 def cache_root() -> Path:
