@@ -451,13 +451,12 @@ def pool(monkeypatch: pytest.MonkeyPatch) -> Iterator[sharing.Pool]:
     own = sharing.Pool()
     monkeypatch.setattr(sharing, "_pool", lambda: own)
     yield own
-    own.executor.shutdown()
     jit.threads.cache_clear()
 
 
 def test_what_no_thread_has_begun_is_done_by_the_caller(pool: sharing.Pool) -> None:
     gate = threading.Event()
-    busy = pool.executor.submit(gate.wait)
+    busy = pool.submit(lambda _: gate.wait(), 0)
     try:
         assert jit.share(lambda part: (part, threading.get_ident()), 3) == [
             (part, threading.get_ident()) for part in range(3)
@@ -467,10 +466,35 @@ def test_what_no_thread_has_begun_is_done_by_the_caller(pool: sharing.Pool) -> N
     assert busy.result()
 
 
+def test_an_error_on_a_thread_reaches_its_caller(pool: sharing.Pool) -> None:
+    begun = threading.Event()
+
+    def fail(part: int) -> None:
+        begun.set()
+        raise ValueError(f"part {part}")
+
+    failing = pool.submit(fail, 7)
+    assert begun.wait(10)
+    with pytest.raises(ValueError, match="part 7"):
+        failing.result()
+    assert pool.submit(lambda part: part, 8).result() == 8
+
+
+def test_a_process_ends_though_its_threads_wait() -> None:
+    """Also where a signal struck while they were made: nothing waits for them."""
+    program = "from eyeline.jit import share; share(id, 3); import threading; print(threading.active_count())"
+    environment = os.environ | {"EYELINE_THREADS": "3"}
+    run = subprocess.run(
+        [sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=60
+    )
+    assert (run.returncode, run.stdout, run.stderr) == (0, "3\n", "")
+    assert all(one.daemon for one in threading.enumerate() if one.name.startswith("eyeline-"))
+
+
 def test_threads_stay_off_the_core_of_their_caller(
     pool: sharing.Pool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    member = pool.executor.submit(threading.get_native_id).result()
+    member = pool.submit(lambda _: threading.get_native_id(), 0).result()
     cores = os.sched_getaffinity(0)
     for core in cores:
         monkeypatch.setattr(pool, "_core", lambda core=core: core)

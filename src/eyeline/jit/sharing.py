@@ -6,10 +6,11 @@ import ctypes
 import os
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future
 from contextlib import suppress
 from functools import cache
-from typing import TypeVar
+from queue import SimpleQueue
+from typing import Any, TypeVar
 
 Result = TypeVar("Result")
 
@@ -27,16 +28,33 @@ class Pool:
     """The threads that work beside their caller's."""
 
     def __init__(self) -> None:
-        self.executor = ThreadPoolExecutor(
-            max(1, threads() - 1), thread_name_prefix="eyeline", initializer=self._enter
-        )
         self._members: list[int] = []  # native numbers of the threads
         self._clear_of = -1  # the core they are kept off
         self._core = ctypes.CDLL(None).sched_getcpu if hasattr(os, "sched_setaffinity") else lambda: -1
+        self._waiting: SimpleQueue[tuple[Future[Any], Callable[[int], Any], int]] = SimpleQueue()
+        for number in range(max(1, threads() - 1)):
+            # Python's own pool waits for its threads at exit, for ever if a signal struck while it made one
+            threading.Thread(target=self._serve, name=f"eyeline-{number}", daemon=True).start()
 
-    def _enter(self) -> None:
+    def submit(self, task: Callable[[int], Result], part: int) -> Future[Result]:
+        """Have task(part) done by the next thread that is free."""
+        future: Future[Result] = Future()
+        self._waiting.put((future, task, part))
+        return future
+
+    def _serve(self) -> None:
         self._members.append(threading.get_native_id())
         self._clear_of = -1
+        while True:
+            self._do(*self._waiting.get())
+
+    def _do(self, future: Future[Result], task: Callable[[int], Result], part: int) -> None:
+        if not future.set_running_or_notify_cancel():
+            return
+        try:
+            future.set_result(task(part))
+        except BaseException as reason:
+            future.set_exception(reason)
 
     def step_aside(self) -> None:
         """Keep the threads off the core their caller runs on, if there is another one for each.
@@ -74,7 +92,7 @@ def share(task: Callable[[int], Result], parts: int) -> list[Result]:
         return [task(0)]
     pool = _pool()
     pool.step_aside()
-    rest = [pool.executor.submit(task, part) for part in range(1, parts)]
+    rest = [pool.submit(task, part) for part in range(1, parts)]
     first = task(0)
     # A part that no thread has begun yet is done here: nobody waits for a core that is busy with other things
     later = [task(part) if one.cancel() else one.result() for part, one in enumerate(rest, 1)]
