@@ -500,3 +500,18 @@ def test_threads_stay_off_the_core_of_their_caller(
         monkeypatch.setattr(pool, "_core", lambda core=core: core)
         pool.step_aside()
         assert os.sched_getaffinity(member) == (cores - {core} or cores)
+
+
+def test_kernels_see_the_same_as_the_python_they_are_written_in() -> None:
+    program = (
+        "import eyeline as el; "
+        "print(el.visible(el.samples.cyclic_overlap(), size=(32, 18)).face.tobytes().hex())"
+    )
+    told = [
+        subprocess.run(
+            [sys.executable, "-c", program], env=os.environ | {"NUMBA_DISABLE_JIT": off},
+            capture_output=True, text=True, timeout=120, check=True,
+        ).stdout
+        for off in ("0", "1")
+    ]  # fmt: skip
+    assert told[0] == told[1]
