@@ -14,6 +14,7 @@ from eyeline.visibility.method import Method, Step, Visible
 HOMES = {
     "zbuffer": "ZBuffer",
     "backface": "BackFace",
+    "scanline": "ScanLine",
 }  # a method's name, which is its module's, -> its class there
 
 __all__ = ["METHODS", "Area", "Method", "Step", "Visible", "method_named", "visible_of"]
