@@ -14,9 +14,9 @@ import numpy as np
 from eyeline.geometry.memory import recycled
 from eyeline.projection.projected import Projected
 from eyeline.visibility.edge_table import edge_table
-from eyeline.visibility.edges import Edge, edges_of, segments_of
 from eyeline.visibility.method import Step
-from eyeline.visibility.row import SpanOf, spans_of_row
+from eyeline.visibility.row_spans import Stretch, spans_of_row
+from eyeline.visibility.segments import Edge, Segment, edges_of, segments_of
 from eyeline.visibility.spans import Scanned
 from eyeline.visibility.sweep import scan
 
@@ -73,7 +73,7 @@ class ScanLine:
                     if span.front and span.front.depth(x) > 0:
                         face[y, x], depth[y, x] = span.front.source, span.front.depth(x)
                 if span.front:
-                    yield formed(y, span, work)
+                    yield formed(y, span, span.front, work)
             work["spans"] += 1 + int((face[y, 1:] != face[y, :-1]).sum())
         yield Step("done", "every row was scanned", {"face": face, "depth": depth}, dict(work))
 
@@ -108,15 +108,16 @@ def changed(y: int, active: list[Edge], come: list[Edge], gone: list[Edge], work
     return Step("edges", sentence, data, dict(work))
 
 
-def formed(y: int, span: SpanOf, work: dict[str, int]) -> Step:
+def formed(y: int, span: Stretch, front: Segment, work: dict[str, int]) -> Step:
     """A face is in front over a span, however many others are there."""
-    front, rivals = span.front, sorted({rival.source for rival in span.rivals})
-    assert front is not None
+    rivals = sorted({rival.source for rival in span.rivals})
     sentence = f"row {y}, columns {span.first} to {span.last}: face {front.source} is in front"
     if span.overtakes is not None:
         sentence += f"; here it comes through face {span.overtakes.source}"
     elif span.coherent:
-        sentence += " still; " + (f"what begins here is behind it: {rivals}" if rivals else "nothing is nearer")
+        sentence += " still; " + (
+            f"what begins here is behind it: {rivals}" if rivals else "nothing is nearer"
+        )
     elif rivals:
         sentence += f"; compared with {rivals}"
     data = {

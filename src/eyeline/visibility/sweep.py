@@ -12,7 +12,7 @@ from eyeline.geometry.arrays import FloatArray, IntArray, read_only
 from eyeline.geometry.fixedpoint import depth_at
 from eyeline.jit import helper, kernel, share, threads
 from eyeline.projection.projected import Projected
-from eyeline.visibility.active_edges import TURNS, WORDS, Room, cross, enter, room_for
+from eyeline.visibility.active_edges import TURNS, WORDS, cross, enter, room_for
 from eyeline.visibility.edge_table import LAST_ROW, ROW_BITS, EdgeTable
 from eyeline.visibility.overtaking import overtaken
 
@@ -55,7 +55,14 @@ def scan_bands(part, parts, mesh, table, picture, room, work):
             while entered < room.begins[y - row0 + 1]:
                 f = room.order[entered]
                 i, j, k = np.uint32(faces[3 * f]), np.uint32(faces[3 * f + 1]), np.uint32(faces[3 * f + 2])
-                enter(entered, (xy[i], xy[j], xy[k]), (depth[i], depth[j], depth[k]), rows[f] & LAST_ROW, y, room)
+                enter(
+                    entered,
+                    (xy[i], xy[j], xy[k]),
+                    (depth[i], depth[j], depth[k]),
+                    rows[f] & LAST_ROW,
+                    y,
+                    room,
+                )
                 source = np.int64(f if f < uncut else pieces[f - uncut])
                 room.number[entered] = source << 32 | np.int64(f)
                 active[count] = entered
@@ -98,7 +105,7 @@ def bucket(entries, rows, row0, begins, order):
 @helper
 def sweep(y, room, seen_face, seen_depth):
     """Fill a row; how many spans it has and how many depth comparisons that took."""
-    heads, following, first, last = room.heads, room.following, room.first, room.last
+    heads, following, last = room.heads, room.following, room.last
     lines, near, number, heap, rivals = room.lines, room.near, room.number, room.heap, room.rivals
     width, size, front, x = heads.shape[0], 0, -1, 0
     until, least, shown, spans, comparisons = 0, np.float32(0), -2, 0, 0
@@ -153,7 +160,11 @@ def sweep(y, room, seen_face, seen_depth):
                     until = min(until, meets)
                 if meets == x and x <= end:
                     own = depth_at(lines[other], lines[other + 1], lines[other + 2], x, y)
-                    if nearest < 0 or own > nearest_depth or (own == nearest_depth and number[slot] < number[nearest]):
+                    if (
+                        nearest < 0
+                        or own > nearest_depth
+                        or (own == nearest_depth and number[slot] < number[nearest])
+                    ):
                         nearest, nearest_depth, place = slot, own, going
                 rivals[going] = slot
                 going += 1
@@ -178,7 +189,7 @@ def sweep(y, room, seen_face, seen_depth):
 
 @helper
 def fill(front, x, stop, y, shown, lines, number, seen_face, seen_depth):
-    """Fill columns x..stop - 1 with the face in front; how many spans begin there, and the last face shown."""
+    """Fill columns x..stop - 1 with the front; how many spans begin there, and the last face shown."""
     if front < 0:
         seen_face[x:stop] = -1
         seen_depth[x:stop] = 0

@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from eyeline.visibility.edges import Segment
 from eyeline.visibility.overtaking import overtaken
+from eyeline.visibility.segments import Segment
 
 Hidden = list[tuple[float, tuple[int, int], Segment]]  # a heap, the greatest depth on top
 
 
 @dataclass(frozen=True)
-class SpanOf:
+class Stretch:
     """Columns over which one segment is in front; none is background."""
 
     front: Segment | None
@@ -37,13 +37,15 @@ class Front(NamedTuple):
     least: np.float32
 
 
-def spans_of_row(segments: list[Segment], width: int) -> Iterator[SpanOf]:
-    """Sweep a row: at every column where a segment begins, or the front ends or is overtaken, see who leads."""
+def spans_of_row(segments: list[Segment], width: int) -> Iterator[Stretch]:
+    """Sweep a row: where a segment begins, or the front ends or is overtaken, see who is nearest."""
     waiting: defaultdict[int, list[Segment]] = defaultdict(list)
     for segment in segments:
         waiting[segment.first].append(segment)
     hidden: Hidden = []
-    front, overtook, x = None, None, 0
+    front: Front | None = None
+    overtook: Segment | None = None
+    x = 0
     while x < width:
         rivals, coherent, comparisons = waiting.pop(x, []), front is not None, 0
         if front is None:
@@ -62,9 +64,8 @@ def spans_of_row(segments: list[Segment], width: int) -> Iterator[SpanOf]:
         for rival in rivals:
             heapq.heappush(hidden, (-rival.near, rival.number, rival))
         stop = min([front.until if front else width, *waiting])
-        segment = front.segment if front else None
-        overtakes = overtook if segment is not overtook else None
-        yield SpanOf(segment, x, stop - 1, rivals, comparisons, coherent, overtakes)
+        leading = front.segment if front else None
+        yield Stretch(leading, x, stop - 1, rivals, comparisons, coherent, overtook)
         overtook, x = None, stop
         if front is not None and x == front.until:
             if x <= front.segment.last:
