@@ -44,7 +44,8 @@ def scan_bands(part, parts, mesh, table, picture, room, work):
     faces, xy, depth, uncut, pieces = mesh
     rows, starts, entries, shift = table
     width, height, seen_face, seen_depth = picture
-    active = room.active
+    lines, turns, active = room.lines, room.turns, room.active
+    first, last, near, following, heads = room.first, room.last, room.near, room.following, room.heads
     for band in range(part, starts.shape[0] - 1, parts):
         row0 = band << shift
         own = entries[starts[band] : starts[band + 1]]
@@ -53,29 +54,32 @@ def scan_bands(part, parts, mesh, table, picture, room, work):
         for y in range(row0, min(height, row0 + (1 << shift))):
             # Edges that begin on this row become active
             while entered < room.begins[y - row0 + 1]:
-                f = room.order[entered]
+                f, slot = room.order[entered], active[count]
                 i, j, k = np.uint32(faces[3 * f]), np.uint32(faces[3 * f + 1]), np.uint32(faces[3 * f + 2])
                 enter(
-                    entered,
+                    slot,
                     (xy[i], xy[j], xy[k]),
                     (depth[i], depth[j], depth[k]),
                     rows[f] & LAST_ROW,
                     y,
-                    room,
+                    lines,
+                    turns,
                 )
                 source = np.int64(f if f < uncut else pieces[f - uncut])
-                room.number[entered] = source << 32 | np.int64(f)
-                active[count] = entered
+                room.number[slot] = source << 32 | np.int64(f)
                 count, entered = count + 1, entered + 1
             work[0] = max(work[0], 2 * count)
             staying = 0
             for n in range(count):
-                slot = active[n]
-                if cross(slot, y, width, room):
-                    room.following[slot] = room.heads[room.first[slot]]
-                    room.heads[room.first[slot]] = slot
-                active[staying] = slot
-                staying += room.turns[TURNS * slot + 2] > y
+                slot = np.uint32(active[n])
+                begin, end, nearest = cross(slot, y, width, lines, turns)
+                if begin <= end:
+                    first[slot], last[slot], near[slot] = begin, end, nearest
+                    following[slot] = heads[np.uint32(begin)]
+                    heads[np.uint32(begin)] = slot
+                # Slots of faces that end here are the next to be taken, while they are in the cache
+                active[n], active[staying] = active[staying], slot
+                staying += turns[TURNS * slot + 2] > y
             count = staying
             spans, tries = sweep(
                 y, room, seen_face[y * width : (y + 1) * width], seen_depth[y * width : (y + 1) * width]
