@@ -111,15 +111,15 @@ def changed(y: int, active: list[Edge], come: list[Edge], gone: list[Edge], work
 def formed(y: int, span: Stretch, front: Segment, work: dict[str, int]) -> Step:
     """A face is in front over a span, however many others are there."""
     rivals = sorted({rival.source for rival in span.rivals})
-    sentence = f"row {y}, columns {span.first} to {span.last}: face {front.source} is in front"
+    others = f"face{'s' if len(rivals) > 1 else ''} {', '.join(map(str, rivals))}"
+    columns = f"columns {span.first} to {span.last}" if span.last > span.first else f"column {span.first}"
+    sentence = f"row {y}, {columns}: face {front.source} is in front"
     if span.overtakes is not None:
         sentence += f"; here it comes through face {span.overtakes.source}"
     elif span.coherent:
-        sentence += " still; " + (
-            f"what begins here is behind it: {rivals}" if rivals else "nothing is nearer"
-        )
+        sentence += f" still, of {others} too" if rivals else " still"
     elif rivals:
-        sentence += f"; compared with {rivals}"
+        sentence += f" of {others}"
     data = {
         "face": front.source,
         "faces": rivals,

@@ -129,6 +129,7 @@ def sweep(y, room, seen_face, seen_depth):
                 slot = following[slot]
             if front >= 0 and not begins:
                 size = pop(heap, size, near, number)
+        # Its rivals are those that begin here; and once, when it comes to the front, those that reach it
         while arrival >= 0:
             if arrival != front:
                 rivals[count] = arrival
@@ -145,13 +146,13 @@ def sweep(y, room, seen_face, seen_depth):
                     size = pop(heap, size, near, number)
                     rivals[count] = slot
                     count += last[slot] >= x
+            # Until where it leads; rivals go on that are nearer somewhere, or end later
             fresh, going, nearest, place, nearest_depth = False, 0, -1, 0, np.float32(0)
             for n in range(count):
                 slot = rivals[n]
-                end = min(last[slot], last[front])
+                other, end = WORDS * slot, min(last[slot], last[front])
                 meets = end + 1
                 if near[slot] >= least:
-                    other = WORDS * slot
                     meets, tries = overtaken(
                         a, c + b * np.float64(y),
                         lines[other], lines[other + 2] + lines[other + 1] * np.float64(y),
@@ -162,7 +163,7 @@ def sweep(y, room, seen_face, seen_depth):
                     continue
                 if meets <= end:
                     until = min(until, meets)
-                if meets == x and x <= end:
+                if meets == x:
                     own = depth_at(lines[other], lines[other + 1], lines[other + 2], x, y)
                     if (
                         nearest < 0
@@ -175,9 +176,11 @@ def sweep(y, room, seen_face, seen_depth):
             count = going
             if nearest < 0:
                 break
+            # Somebody is nearer at this very column: the nearest of them comes to the front
             rivals[place], front, fresh = front, nearest, True
         for n in range(count):
             size = push(rivals[n], heap, size, near, number)
+        # A span, until something begins or the lead is over
         stop = x + 1
         while stop < (until if front >= 0 else width) and heads[stop] < 0:
             stop += 1
