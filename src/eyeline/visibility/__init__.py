@@ -14,6 +14,7 @@ from eyeline.visibility.method import Method, Step, Visible
 HOMES = {
     "zbuffer": "ZBuffer",
     "backface": "BackFace",
+    "painter": "Painter",
     "scanline": "ScanLine",
 }  # a method's name, which is its module's, -> its class there
 
