@@ -17,6 +17,7 @@ CENTRE = 128  # of a pixel, from its left or upper border
 BEFORE_CENTRE = UNITS - CENTRE - 1  # (x + BEFORE_CENTRE) >> 8 is the first pixel centred at x or after it
 GUARD = 1 << 23  # coordinates stay within -GUARD..GUARD, so that edge functions stay below 2**50
 LARGEST_SIDE = 16384  # pixels of a picture: half of the guard band
+SLOPING, ROUNDING = 2.0**-23, 2.0**-48  # how far rounding can carry `depth_at`; see `greatest_depth`
 
 
 @helper
@@ -63,3 +64,20 @@ def depth_plane(x0, y0, z0, x1, y1, z1, x2, y2, z2):
 def depth_at(a, b, c, x, y):
     """The depth of a plane at the centre of pixel (x, y), in this order of operations and no other."""
     return np.float32((c + b * np.float64(y)) + a * np.float64(x))
+
+
+@helper
+def greatest_depth(farthest, nearest, across, down):
+    """The most that `depth_at` can give at a covered centre of any face with corners in a box.
+
+    farthest, nearest: float32 depths of the box; across, down: its sides, 1/256 pixel.
+
+    A covered centre lies between the corners, and so does its exact depth; what is computed is that, and the
+    rounding of at most 16 operations, each by 2**-53 of its terms. Those are the depth itself, and a and b
+    times a column or row: 2**16 pixels at most, with |a| <= (nearest - farthest) 2 down 256 / area, |b| the
+    same with across, and a whole area, so that it is 1 at least. The product is 2**-24 (nearest - farthest)
+    (across + down); it is doubled here. On a box of one depth a and b are 0, and the bound is that depth.
+    """
+    high = np.float64(nearest)
+    slope = (high - np.float64(farthest)) * np.float64(across + down)
+    return np.float32(high + slope * SLOPING + abs(high) * ROUNDING)

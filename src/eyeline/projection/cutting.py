@@ -6,12 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from eyeline.geometry import transform
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray, read_only
 from eyeline.geometry.fixedpoint import UNITS
 from eyeline.jit import kernel
 from eyeline.projection.clipping import Pieces, clip_space, clipped, joined, snapped
 from eyeline.projection.projected import Projected
+from eyeline.projection.vertices import place
 
 BATCH = 1 << 15  # faces cut at once: what that takes stays small, however many there are
 
@@ -27,7 +27,7 @@ def with_pieces(projected: Projected, unplaced: list[int]) -> Projected:
         if missing:
             first, end = int(projected.first_faces[number]), int(projected.first_faces[number + 1])
             crossing = withdraw(projected, first, end, sides)
-            matrix = transform.product(projected.clip_from_world, surface.world_from_mesh)
+            matrix = projected.clip_from_meshes[number]
             for at in range(0, len(crossing), BATCH):
                 faces = crossing[at : at + BATCH]
                 points = surface.mesh.points[projected.faces[faces] - first_vertex]
@@ -51,6 +51,23 @@ def pieces_of(projected: Projected, faces: IntArray, corners: FloatArray) -> Pie
     vertex = projected.faces[faces]
     placed = np.where(np.isfinite(projected.depth[vertex]), vertex, np.int32(-1))
     return clipped(Pieces(corners, placed, faces), (projected.width, projected.height))
+
+
+def cut_faces(projected: Projected, surface: int, rows: IntArray) -> tuple[IntArray, FloatArray, IntArray]:
+    """What is left of some faces of one surface: xy (N, 3, 2), depth (N, 3), and the row each is cut from.
+
+    The same pieces as `with_pieces` makes, without any other face, and not shifted.
+    """
+    size, matrix = (projected.width, projected.height), projected.clip_from_meshes[surface]
+    mesh = projected.surfaces[surface].mesh
+    points = mesh.points[mesh.faces[rows]]
+    xy, depth = np.empty((3 * len(rows), 2), np.int32), np.empty(3 * len(rows), np.float32)
+    place(points.reshape(-1, 3), matrix, size, xy, depth)
+    placed = np.where(np.isfinite(depth), np.arange(len(depth)), -1).reshape(-1, 3)
+    pieces = clipped(Pieces(clip_space(matrix, points), placed, rows), size)
+    xy, depth, new = xy[pieces.vertex], depth[pieces.vertex], pieces.vertex < 0
+    xy[new], depth[new] = snapped(pieces.corners[new], size)
+    return xy, depth, pieces.source
 
 
 def appended(projected: Projected, sides: ByteArray, pieces: Pieces) -> Projected:

@@ -43,6 +43,21 @@ class Projected:
         return transform.product(clip_from_eye, self.camera.eye_from_world)
 
     @cached_property
+    def places(self) -> FloatArray:
+        """(S, 4, 4) float64 world_from_mesh of every surface."""
+        return np.array([surface.world_from_mesh for surface in self.surfaces], np.float64).reshape(-1, 4, 4)
+
+    @cached_property
+    def clip_from_meshes(self) -> FloatArray:
+        """(S, 4, 4) float64."""
+        return transform.product(self.clip_from_world, self.places)
+
+    @property
+    def standing_by(self) -> str | None:
+        """How `surfaces` are culled, where they alone tell everything; None where only the arrays do."""
+        return None
+
+    @cached_property
     def source(self) -> IntArray:
         """(F,) for every face, the uncut one it comes from."""
         return np.concatenate([np.arange(self.face_count, dtype=np.int32), self.piece_source])

@@ -1,0 +1,277 @@
+"""Octrees walked from front to back, tile after tile, each node against the pyramid of what stands before it.
+
+Tiles are the same for any number of threads, and each is walked by itself: so are answer and counters.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from eyeline.geometry.fixedpoint import (
+    BEFORE_CENTRE,
+    CENTRE,
+    UNITS,
+    depth_at,
+    depth_plane,
+    edge_bias,
+    greatest_depth,
+    signed_area,
+)
+from eyeline.geometry.octree import BEGIN, CHILD, CHILDREN, END, LEAF, LEAST, POINT, POINTS, WIDTH
+from eyeline.jit import helper, kernel
+from eyeline.projection.boxes import box_on_grid, is_out_of_view
+from eyeline.projection.vertices import placed
+from eyeline.visibility.pyramid import CELLS, NEAREST, TILE, TILE_BITS, hides, key_of, refresh
+
+DEEP = 512  # nodes that wait at most: seven on each level, of octants and of faces dealt out in their order
+VISITED, HIDDEN, DRAWN, TESTS, COUNTERS = range(5)
+CULLED = -1  # the key of what cannot be seen
+
+
+@helper
+def matrix_of(matrices, k):
+    """A standing's matrix as scalars."""
+    return (
+        matrices[k, 0], matrices[k, 1], matrices[k, 2], matrices[k, 3],
+        matrices[k, 4], matrices[k, 5], matrices[k, 6], matrices[k, 7],
+        matrices[k, 8], matrices[k, 9], matrices[k, 10], matrices[k, 11],
+        matrices[k, 12], matrices[k, 13], matrices[k, 14], matrices[k, 15],
+    )  # fmt: skip
+
+
+@helper
+def box_of(boxes, node):
+    """A node's box as scalars."""
+    at = 6 * np.int64(node)
+    return boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3], boxes[at + 4], boxes[at + 5]
+
+
+@helper
+def outlook(on_grid, m, box, number, picture):
+    """(key, left, top, right, bottom): the greatest key of a node, and the pixels it can cover, borders included.
+
+    number: the least of its faces. picture: width, height, shift x, shift y. The key is CULLED where nothing can
+    be seen, and NEAREST where vertices may lie behind the near plane or beyond the guard band.
+    """
+    width, height, dx, dy = picture
+    if on_grid:
+        sure, far, near = True, box[2], box[5]
+        left, top, right, bottom = np.int64(box[0]), np.int64(box[1]), np.int64(box[3]), np.int64(box[4])
+    else:
+        across, down = np.float32(width * CENTRE), np.float32(height * CENTRE)
+        sure, left, top, right, bottom, far, near = box_on_grid(m, across, down, box)
+    if not sure:
+        key = CULLED if is_out_of_view(m, width, height, box) else np.int64(NEAREST)
+        return key, np.int64(0), np.int64(0), np.int64(width - 1), np.int64(height - 1)
+    depth = greatest_depth(far, near, right - left, bottom - top)
+    key = key_of(depth, number) if depth > 0 else np.int64(CULLED)
+    left, right = max((left - dx + BEFORE_CENTRE) >> 8, 0), min((right - dx + BEFORE_CENTRE) >> 8, width) - 1
+    top, bottom = max((top - dy + BEFORE_CENTRE) >> 8, 0), min((bottom - dy + BEFORE_CENTRE) >> 8, height) - 1
+    return (key if left <= right and top <= bottom else np.int64(CULLED)), left, top, right, bottom
+
+
+@kernel
+def survey(forest, standings, nodes, picture, found):
+    """The outlooks of nodes, each of one of the standings: found (N, 5)."""
+    for i in range(nodes.shape[0]):
+        k, node = standings[i], nodes[i]
+        number = forest.nodes[node * WIDTH + LEAST] + forest.firsts[k]
+        m = matrix_of(forest.matrices, k)
+        found[i, 0], found[i, 1], found[i, 2], found[i, 3], found[i, 4] = outlook(
+            forest.on_grid, m, box_of(forest.boxes, node), number, picture
+        )
+
+
+@kernel
+def walk_tiles(part, parts, picture, grid, meshes, depth_bits, face, work):
+    """Fill tiles part, part + parts, ... of depth_bits (depth as int32) and face, both flat.
+
+    grid, meshes: (forest, order of its standings, their outlooks) each. work: (COUNTERS,) is added to.
+    """
+    width, height = picture[0], picture[1]
+    columns, rows = (width + TILE - 1) >> TILE_BITS, (height + TILE - 1) >> TILE_BITS
+    keys, pyramid = np.empty(TILE * TILE, np.int64), np.empty(CELLS, np.int64)
+    stack, spots = np.empty((DEEP, 6), np.int64), np.empty(9 * LEAF, np.int32)
+    depths = np.empty(3 * LEAF, np.float32)
+    for tile in range(part, columns * rows, parts):
+        left, top = (tile % columns) << TILE_BITS, (tile // columns) << TILE_BITS
+        right, bottom = min(left + TILE, width), min(top + TILE, height)
+        clear(keys, pyramid, right - left, bottom - top)
+        at = (left, top, right - 1, bottom - 1)
+        walk(grid[0], grid[1], grid[2], picture, at, keys, pyramid, stack, spots, depths, work)
+        walk(meshes[0], meshes[1], meshes[2], picture, at, keys, pyramid, stack, spots, depths, work)
+        for y in range(top, bottom):
+            row = (y - top) << TILE_BITS
+            for x in range(left, right):
+                key = keys[row + x - left]
+                bits = np.int32(key >> 32)
+                depth_bits[y * width + x] = bits
+                face[y * width + x] = ~np.int32(key) if bits != 0 else np.int32(-1)
+
+
+@helper
+def clear(keys, pyramid, width, height):
+    """Nothing in the picture's part of a tile; beside it what nothing hides."""
+    keys[:] = NEAREST
+    for y in range(height):
+        keys[y << TILE_BITS : (y << TILE_BITS) + width] = 0
+    pyramid[:] = 0
+    refresh(pyramid, keys, 0, 0, TILE - 1, TILE - 1)
+
+
+@helper
+def walk(forest, order, outlooks, picture, tile, keys, pyramid, stack, spots, depths, work):
+    """Walk standings in order, each from front to back, in one tile (left, top, right, bottom)."""
+    left, top, right, bottom = tile
+    for k in order:
+        if outlooks[k, 1] > right or outlooks[k, 3] < left or outlooks[k, 2] > bottom or outlooks[k, 4] < top:
+            continue
+        m, first = matrix_of(forest.matrices, k), forest.firsts[k]
+        for column in range(5):
+            stack[0, column] = outlooks[k, column]
+        stack[0, 5] = forest.roots[k]
+        waiting = 1
+        while waiting > 0:
+            waiting -= 1
+            key, node = stack[waiting, 0], stack[waiting, 5]
+            x0, y0 = max(stack[waiting, 1], left) - left, max(stack[waiting, 2], top) - top
+            x1, y1 = min(stack[waiting, 3], right) - left, min(stack[waiting, 4], bottom) - top
+            work[VISITED] += 1
+            if hides(pyramid, key, x0, y0, x1, y1):
+                work[HIDDEN] += 1
+                continue
+            count = forest.nodes[node * WIDTH + CHILDREN]
+            if count == 0:
+                place_leaf(forest, node, m, picture, spots, depths)
+                draw_leaf(forest, k, node, first, tile, keys, spots, depths, work)
+                refresh(pyramid, keys, x0, y0, x1, y1)
+                continue
+            base = waiting
+            for child in range(
+                forest.nodes[node * WIDTH + CHILD], forest.nodes[node * WIDTH + CHILD] + count
+            ):
+                number = forest.nodes[child * WIDTH + LEAST] + first
+                own = outlook(forest.on_grid, m, box_of(forest.boxes, child), number, picture)
+                if own[0] <= 0 or own[1] > right or own[3] < left or own[2] > bottom or own[4] < top:
+                    continue
+                # The nearest comes to lie on top
+                spot = waiting
+                while spot > base and stack[spot - 1, 0] > own[0]:
+                    for column in range(6):
+                        stack[spot, column] = stack[spot - 1, column]
+                    spot -= 1
+                stack[spot, 0], stack[spot, 1], stack[spot, 2], stack[spot, 3], stack[spot, 4] = own
+                stack[spot, 5] = child
+                waiting += 1
+
+
+@helper
+def place_leaf(forest, node, m, picture, spots, depths):
+    """Place a leaf's vertices: spots x, y in turn, and depths."""
+    width, height, dx, dy = picture
+    begin, end = forest.nodes[node * WIDTH + POINT], forest.nodes[node * WIDTH + POINTS]
+    points = forest.points[3 * np.int64(begin) : 3 * np.int64(end)]
+    across, down = np.float32(width * CENTRE), np.float32(height * CENTRE)
+    for i in range(end - begin):
+        x, y, z = points[3 * i], points[3 * i + 1], points[3 * i + 2]
+        if forest.on_grid:
+            column, row, depth = np.int32(x), np.int32(y), z
+        else:
+            column, row, depth = placed(m, across, down, x, y, z)
+        spots[2 * i], spots[2 * i + 1] = np.int32(column - dx), np.int32(row - dy)
+        depths[i] = depth
+
+
+@helper
+def draw_leaf(forest, standing, node, first, tile, keys, spots, depths, work):
+    """Let a leaf's faces fall on a tile; those with a vertex that is not placed are drawn as their pieces."""
+    left, top, right, bottom = tile
+    side_at, side_step = forest.sides_at[standing, 0], forest.sides_at[standing, 1]
+    for slot in range(forest.nodes[node * WIDTH + BEGIN], forest.nodes[node * WIDTH + END]):
+        work[DRAWN] += 1
+        i, j, k = (
+            np.int64(forest.corners[3 * slot]),
+            np.int64(forest.corners[3 * slot + 1]),
+            np.int64(forest.corners[3 * slot + 2]),
+        )
+        ax, ay, bx, by = np.int64(spots[2 * i]), np.int64(spots[2 * i + 1]), spots[2 * j], spots[2 * j + 1]
+        cx, cy = np.int64(spots[2 * k]), np.int64(spots[2 * k + 1])
+        bx, by = np.int64(bx), np.int64(by)
+        area = signed_area(ax, ay, bx, by, cx, cy)
+        side = forest.sides[side_at + side_step * slot]
+        if not ((area > 0 and side & 2) or (area < 0 and side & 1)):
+            continue
+        if area < 0:
+            bx, by, cx, cy, j, k = cx, cy, bx, by, k, j
+        x0, x1 = (min(ax, bx, cx) + BEFORE_CENTRE) >> 8, ((max(ax, bx, cx) + BEFORE_CENTRE) >> 8) - 1
+        y0, y1 = (min(ay, by, cy) + BEFORE_CENTRE) >> 8, ((max(ay, by, cy) + BEFORE_CENTRE) >> 8) - 1
+        x0, x1, y0, y1 = max(x0, left), min(x1, right), max(y0, top), min(y1, bottom)
+        if x0 > x1 or y0 > y1:
+            continue
+        z0, z1, z2 = depths[i], depths[j], depths[k]
+        if not (abs(z0) < np.inf and abs(z1) < np.inf and abs(z2) < np.inf):
+            continue
+        a, b, c = depth_plane(
+            np.int32(ax), np.int32(ay), z0, np.int32(bx), np.int32(by), z1, np.int32(cx), np.int32(cy), z2
+        )
+        number = forest.numbers[slot] + first
+        px, py = x0 * UNITS + CENTRE, y0 * UNITS + CENTRE
+        e0, e1, e2 = (
+            edge_at(ax, ay, bx, by, px, py),
+            edge_at(bx, by, cx, cy, px, py),
+            edge_at(cx, cy, ax, ay, px, py),
+        )
+        for y in range(y0, y1 + 1):
+            f0, f1, f2 = e0, e1, e2
+            row = ((y - top) << TILE_BITS) - left
+            for x in range(x0, x1 + 1):
+                if (f0 | f1 | f2) >= 0:
+                    key = key_of(depth_at(a, b, c, np.int32(x), y), number)
+                    keys[row + x] = max(keys[row + x], key)
+                    work[TESTS] += 1
+                f0, f1, f2 = f0 + ((ay - by) << 8), f1 + ((by - cy) << 8), f2 + ((cy - ay) << 8)
+            e0, e1, e2 = e0 + ((bx - ax) << 8), e1 + ((cx - bx) << 8), e2 + ((ax - cx) << 8)
+
+
+@helper
+def edge_at(x0, y0, x1, y1, px, py):
+    """The edge function of an edge that leads clockwise, with its bias: 0 or more is inside."""
+    a, b = y0 - y1, x1 - x0
+    return a * (px - x0) + b * (py - y0) + edge_bias(a, b)
+
+
+@kernel
+def crossing(forest, picture, found):
+    """List (standing, row) of the faces that the near plane or the guard band cuts in view; how many there are."""
+    stack = np.empty(DEEP, np.int64)
+    spots, depths = np.empty(9 * LEAF, np.int32), np.empty(3 * LEAF, np.float32)
+    count = 0
+    for k in range(forest.roots.shape[0]):
+        m = matrix_of(forest.matrices, k)
+        stack[0], waiting = forest.roots[k], 1
+        while waiting > 0:
+            waiting -= 1
+            node = stack[waiting]
+            if outlook(forest.on_grid, m, box_of(forest.boxes, node), 0, picture)[0] != NEAREST:
+                continue
+            children = forest.nodes[node * WIDTH + CHILDREN]
+            for child in range(children):
+                stack[waiting] = forest.nodes[node * WIDTH + CHILD] + child
+                waiting += 1
+            if children > 0:
+                continue
+            place_leaf(forest, node, m, picture, spots, depths)
+            for slot in range(forest.nodes[node * WIDTH + BEGIN], forest.nodes[node * WIDTH + END]):
+                z0, z1, z2 = (
+                    depths[forest.corners[3 * slot]],
+                    depths[forest.corners[3 * slot + 1]],
+                    depths[forest.corners[3 * slot + 2]],
+                )
+                low, high = min(z0, z1, z2), max(z0, z1, z2)
+                side = forest.sides[forest.sides_at[k, 0] + forest.sides_at[k, 1] * slot]
+                if side == 0 or low == np.inf or (low > -np.inf and high < np.inf):
+                    continue
+                if count < found.shape[0]:
+                    found[count, 0], found[count, 1] = k, forest.numbers[slot]
+                count += 1
+    return count
