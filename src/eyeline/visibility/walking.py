@@ -98,8 +98,8 @@ def walk_tiles(part, parts, picture, grid, meshes, depth_bits, face, work):
         right, bottom = min(left + TILE, width), min(top + TILE, height)
         clear(keys, pyramid, right - left, bottom - top)
         at = (left, top, right - 1, bottom - 1)
-        walk(grid[0], grid[1], grid[2], picture, at, keys, pyramid, stack, spots, depths, work)
-        walk(meshes[0], meshes[1], meshes[2], picture, at, keys, pyramid, stack, spots, depths, work)
+        for forest, order, outlooks in (grid, meshes):
+            walk(forest, order, outlooks, picture, at, keys, pyramid, stack, spots, depths, work)
         for y in range(top, bottom):
             row = (y - top) << TILE_BITS
             for x in range(left, right):
