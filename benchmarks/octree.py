@@ -91,9 +91,13 @@ def city(towers: int) -> tuple[Scene, Camera]:
     places[:, 0, 0] = places[:, 2, 2] = np.cos(turn)
     places[:, 0, 2], places[:, 2, 0] = np.sin(turn), -np.sin(turn)
     places[:, 0, 3], places[:, 2, 3] = STREET * (column - side // 2), -STREET * row
-    mesh = Mesh(points * np.float32([2, 5, 2]) + np.float32([0, 5, 0]), faces)
+    # Squared, as towers are
+    square = np.sign(points) * np.abs(points) ** np.float32(0.3)
+    mesh = Mesh(square * np.float32([2, 5, 2]) + np.float32([0, 5, 0]), faces)
+    far = STREET * side
+    ground = Mesh([(-far, 0, 9), (far, 0, 9), (far, 0, -far), (-far, 0, -far)], [(0, 1, 2), (0, 2, 3)])
     camera = Camera.look_at((STREET / 2, 1.7, 8), (-0.6, 3.0, -12), near=0.1, fov=math.radians(60))
-    return Scene.of(Node("towers", mesh=mesh, instances=places)), camera
+    return Scene.of(Node("towers", mesh=mesh, instances=places), ground), camera
 
 
 def climbed() -> list[results.Row]:

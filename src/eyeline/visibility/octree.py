@@ -164,10 +164,12 @@ class Canvas:
                     waiting += sorted(parts, key=lambda part: part[0])
 
     def farthest(self, rectangle: Rectangle) -> int:
-        """The least key of the small squares that a rectangle touches: what the pyramid would say."""
-        left, top, right, bottom = (side >> SQUARE_BITS for side in rectangle)
-        rows = slice(top << SQUARE_BITS, (bottom + 1) << SQUARE_BITS)
-        return int(self.keys[rows, left << SQUARE_BITS : (right + 1) << SQUARE_BITS].min())
+        """The least key in a rectangle, or in all small squares that a larger one touches: the pyramid's."""
+        left, top, right, bottom = rectangle
+        if max(right - left, bottom - top) >> SQUARE_BITS:
+            left, top = (side >> SQUARE_BITS << SQUARE_BITS for side in (left, top))
+            right, bottom = (side | (1 << SQUARE_BITS) - 1 for side in (right, bottom))
+        return int(self.keys[top : bottom + 1, left : right + 1].min())
 
     def parts_of(self, forest: Forest, standing: int, node: IntArray) -> list[tuple[int, ...]]:
         """The children of a node: (greatest key, left, top, right, bottom, number) of each."""

@@ -32,21 +32,30 @@ def first_cell(level):
 
 
 @helper
-def hides(pyramid, key, left, top, right, bottom):
-    """Whether all pixels of a rectangle, borders included, are as near as a key: looked up from coarse to fine."""
+def hides(pyramid, keys, key, left, top, right, bottom):
+    """Whether all pixels of a rectangle, borders included, are as near as a key: looked up from coarse to fine.
+
+    A rectangle no larger than a square of the finest level is looked up pixel by pixel at last.
+    """
     for up in range(TOP + 1):
         level = TOP - up
         bits, cells = SQUARE_BITS + level, first_cell(level)
-        hidden = True
-        for row in range(top >> bits, (bottom >> bits) + 1):
-            at = cells + (row << (TOP - level))
-            for column in range(left >> bits, (right >> bits) + 1):
-                hidden = hidden and pyramid[at + column] >= key
-            if not hidden:
-                break
-        if hidden:
+        if all_reach(pyramid, cells, TOP - level, key, left >> bits, top >> bits, right >> bits, bottom >> bits):
             return True
-    return False
+    if max(right - left, bottom - top) >> SQUARE_BITS > 0:
+        return False
+    return all_reach(keys, 0, TILE_BITS, key, left, top, right, bottom)
+
+
+@helper
+def all_reach(numbers, begin, pitch_bits, key, left, top, right, bottom):
+    """Whether all numbers of a rectangle are a key or more."""
+    for row in range(top, bottom + 1):
+        at = begin + (row << pitch_bits)
+        for column in range(left, right + 1):
+            if numbers[at + column] < key:
+                return False
+    return True
 
 
 @helper

@@ -137,7 +137,7 @@ def walk(forest, order, outlooks, picture, tile, keys, pyramid, stack, spots, de
             x0, y0 = max(stack[waiting, 1], left) - left, max(stack[waiting, 2], top) - top
             x1, y1 = min(stack[waiting, 3], right) - left, min(stack[waiting, 4], bottom) - top
             work[VISITED] += 1
-            if hides(pyramid, key, x0, y0, x1, y1):
+            if hides(pyramid, keys, key, x0, y0, x1, y1):
                 work[HIDDEN] += 1
                 continue
             count = forest.nodes[node * WIDTH + CHILDREN]
