@@ -6,7 +6,7 @@ into a pyramid of depths. Time then grows with what is seen, not with what there
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -24,8 +24,10 @@ from eyeline.projection.sides import sides_of
 from eyeline.projection.vertices import place
 from eyeline.visibility.forest import Forest, of_faces, of_surfaces, on_grid, planted
 from eyeline.visibility.method import Step, Visible
+from eyeline.visibility.outlook import crossing, survey
 from eyeline.visibility.pyramid import SQUARE_BITS, TILE, key_of
-from eyeline.visibility.walking import COUNTERS, crossing, survey, walk_tiles
+from eyeline.visibility.recall import recalling
+from eyeline.visibility.walking import COUNTERS, walk_tiles
 
 NONE = np.empty(0, np.int32)
 WORK = ("nodes visited", "nodes hidden", "faces drawn", "depth tests")  # what is counted
@@ -43,8 +45,13 @@ class Grove(NamedTuple):
 
 @dataclass(frozen=True)
 class Octree:
-    """Octree and depth pyramid: answers every scene, in time that grows with what is seen of it."""
+    """Octree and depth pyramid: answers every scene, in time that grows with what is seen of it.
 
+    hint: what another frame saw, a film's last for example. Its faces are drawn first: that changes the work, never
+    the answer.
+    """
+
+    hint: Visible | None = None
     name: str = "octree"
     space: str = "image"
     answers: bool = True
@@ -55,7 +62,7 @@ class Octree:
         parts, picture = threads(), picture_of(projected)
         face = recycled((projected.height, projected.width), np.int32)
         depth = recycled(face.shape, np.float32)
-        grid, meshes = groves_of(projected)
+        grid, meshes = groves_of(projected, self.hint)
         work = np.zeros((parts, COUNTERS), np.int64)
         flat = depth.view(np.int32).reshape(-1), face.reshape(-1)
         share(lambda part: walk_tiles(part, parts, picture, grid, meshes, *flat, work[part]), parts)
@@ -67,7 +74,7 @@ class Octree:
         width, height = projected.width, projected.height
         work = {"faces": projected.face_count, **dict.fromkeys(WORK, 0)}
         canvas = Canvas(picture_of(projected), np.zeros((height, width), np.int64), work)
-        groves = groves_of(projected)
+        groves = groves_of(projected, self.hint)
         for top in range(0, height, TILE):
             for left in range(0, width, TILE):
                 tile = (left, top, min(left + TILE, width) - 1, min(top + TILE, height) - 1)
@@ -83,13 +90,16 @@ def picture_of(projected: Projected) -> Picture:
     return projected.width, projected.height, *(projected.shift if projected.standing_by else (0, 0))
 
 
-def groves_of(projected: Projected) -> tuple[Grove, Grove]:
+def groves_of(projected: Projected, hint: Visible | None) -> tuple[Grove, Grove]:
     """Faces that are on the grid, and meshes as they stand; each drawn face is in one of them."""
     picture = picture_of(projected)
     if projected.standing_by is None:
         return grove(of_faces(projected), picture), grove(planted([]), picture)
     meshes = of_surfaces(projected, projected.standing_by)
-    return grove(pieces_of(projected, meshes), picture), grove(meshes, picture)
+    pieces = pieces_of(projected, meshes)
+    if hint is not None:
+        meshes = recalling(meshes, hint.face)
+    return grove(pieces, picture), grove(meshes, picture)
 
 
 def grove(forest: Forest, picture: Picture) -> Grove:
@@ -123,6 +133,23 @@ def pieces_of(projected: Projected, meshes: Forest) -> Forest:
 # --- the same, to be read ---------------------------------------------------------------------------------
 
 
+class Part(NamedTuple):
+    """A node as it is seen: its greatest key, and the pixels it can cover."""
+
+    key: int
+    left: int
+    top: int
+    right: int
+    bottom: int
+    node: int
+
+    def within(self, tile: Rectangle) -> Rectangle | None:
+        """The pixels of a tile that it can cover."""
+        left, top = max(self.left, tile[0]), max(self.top, tile[1])
+        right, bottom = min(self.right, tile[2]), min(self.bottom, tile[3])
+        return (left, top, right, bottom) if left <= right and top <= bottom else None
+
+
 @dataclass(frozen=True, eq=False)
 class Canvas:
     """A picture in the making, walked in Python."""
@@ -132,36 +159,44 @@ class Canvas:
     work: dict[str, int]
 
     def walked(self, grove: Grove, tile: Rectangle) -> Iterator[Step]:
-        """Every standing of a grove in one tile, the nearest first."""
-        nodes = grove.forest.nodes.reshape(-1, WIDTH)
+        """What is recalled of a grove in one tile, then every standing of it, the nearest first."""
+        forest = grove.forest
+        recalled = [leaves.tolist() for leaves in np.split(forest.recalled, forest.recalled_at[1:-1])]
         for standing in grove.order.tolist():
-            waiting = [(*grove.outlooks[standing].tolist(), int(grove.forest.roots[standing]))]
+            for part in self.parts(forest, standing, recalled[standing], tile):
+                yield from self.visited(forest, standing, part, tile)
+        for standing in grove.order.tolist():
+            root = Part(*grove.outlooks[standing].tolist(), int(forest.roots[standing]))
+            waiting = [root] if root.within(tile) else []
             while waiting:
-                key, *sides, node = waiting.pop()
-                rectangle = overlap(sides, tile)
-                if rectangle is None:
-                    continue
-                self.work["nodes visited"] += 1
-                faces = f"a node of {nodes[node, END] - nodes[node, BEGIN]} faces"
-                left, top, right, bottom = rectangle
-                box = (left, top, right + 1, bottom + 1)
-                if key <= self.farthest(rectangle):
-                    self.work["nodes hidden"] += 1
-                    data = {"rectangle": box, "verdict": "dropped"}
-                    yield Step("hidden", f"{faces} lies behind what is drawn", data, dict(self.work))
-                elif nodes[node, CHILDREN] == 0:
-                    data = {"rectangle": box, "verdict": "kept"}
-                    yield Step("leaf", f"{faces} may be seen and is drawn", data, dict(self.work))
-                    yield from self.drawn(grove.forest, standing, nodes[node], tile)
-                else:
-                    data = {"rectangle": box, "verdict": "split"}
-                    yield Step("opened", f"{faces} may be seen and is opened", data, dict(self.work))
-                    parts = [
-                        part
-                        for part in self.parts_of(grove.forest, standing, nodes[node])
-                        if part[0] > 0 and overlap(part[1:5], tile)
-                    ]
-                    waiting += sorted(parts, key=lambda part: part[0])
+                part = waiting.pop()
+                known = part.node in recalled[standing]
+                children = yield from self.visited(forest, standing, part, tile, known)
+                waiting += sorted(self.parts(forest, standing, children, tile), key=lambda child: child.key)
+
+    def visited(
+        self, forest: Forest, standing: int, part: Part, tile: Rectangle, known: bool = False
+    ) -> Generator[Step, None, list[int]]:
+        """Leave a node out, draw it if it is a leaf that is not known, or tell its children."""
+        node = forest.nodes.reshape(-1, WIDTH)[part.node]
+        children = list(range(node[CHILD], node[CHILD] + node[CHILDREN]))
+        faces = f"a node of {node[END] - node[BEGIN]} faces"
+        left, top, right, bottom = rectangle = part.within(tile) or tile
+        box = (left, top, right + 1, bottom + 1)
+        self.work["nodes visited"] += 1
+        if part.key <= self.farthest(rectangle):
+            self.work["nodes hidden"] += 1
+            data = {"rectangle": box, "verdict": "dropped"}
+            yield Step("hidden", f"{faces} lies behind what is drawn", data, dict(self.work))
+            return []
+        if children:
+            data = {"rectangle": box, "verdict": "split"}
+            yield Step("opened", f"{faces} may be seen and is opened", data, dict(self.work))
+        elif not known:
+            data = {"rectangle": box, "verdict": "kept"}
+            yield Step("leaf", f"{faces} may be seen and is drawn", data, dict(self.work))
+            yield from self.drawn(forest, standing, node, tile)
+        return children
 
     def farthest(self, rectangle: Rectangle) -> int:
         """The least key in a rectangle, or in all small squares that a larger one touches: the pyramid's."""
@@ -171,12 +206,13 @@ class Canvas:
             right, bottom = (side | (1 << SQUARE_BITS) - 1 for side in (right, bottom))
         return int(self.keys[top : bottom + 1, left : right + 1].min())
 
-    def parts_of(self, forest: Forest, standing: int, node: IntArray) -> list[tuple[int, ...]]:
-        """The children of a node: (greatest key, left, top, right, bottom, number) of each."""
-        children = np.arange(node[CHILD], node[CHILD] + node[CHILDREN], dtype=np.int32)
-        found = np.empty((len(children), 5), np.int64)
-        survey(forest, np.full_like(children, standing), children, self.picture, found)
-        return [(*row, child) for row, child in zip(found.tolist(), children.tolist(), strict=True)]
+    def parts(self, forest: Forest, standing: int, nodes: list[int], tile: Rectangle) -> list[Part]:
+        """Those of some nodes that can be seen in a tile."""
+        found = np.empty((len(nodes), 5), np.int64)
+        numbers = np.array(nodes, np.int32)
+        survey(forest, np.full_like(numbers, standing), numbers, self.picture, found)
+        parts = [Part(*row, node) for row, node in zip(found.tolist(), nodes, strict=True)]
+        return [part for part in parts if part.key > 0 and part.within(tile)]
 
     def drawn(self, forest: Forest, standing: int, leaf: IntArray, tile: Rectangle) -> Iterator[Step]:
         """Every face of a leaf, compared at the pixels it covers."""
@@ -210,10 +246,3 @@ class Canvas:
         if not forest.on_grid:
             place(points, forest.matrices[standing].reshape(4, 4), (width, height), xy, depth)
         return [(int(x) - dx, int(y) - dy, z) for (x, y), z in zip(xy, depth, strict=True)]
-
-
-def overlap(sides: Sequence[int], tile: Rectangle) -> Rectangle | None:
-    """What a rectangle and a tile share."""
-    left, top = max(sides[0], tile[0]), max(sides[1], tile[1])
-    right, bottom = min(sides[2], tile[2]), min(sides[3], tile[3])
-    return (left, top, right, bottom) if left <= right and top <= bottom else None
