@@ -46,9 +46,9 @@ def octree_of(
             np.empty((0, 3), np.uint8), np.empty(0, np.int32), np.empty(0, np.int32),
         )  # fmt: skip
     flat, corners = read_only(points).reshape(-1), read_only(faces).reshape(-1)
-    codes, rows = np.empty(count, np.int32), np.empty(count, np.int32)
-    _encode(flat, corners, cubic, codes)
-    _sort(codes, rows)
+    unsorted, unsorted_rows, codes, rows = (np.empty(count, np.int32) for _ in range(4))
+    _encode(flat, corners, cubic, unsorted)
+    _sort(unsorted, unsorted_rows, codes, rows, np.zeros((3, 1 << DIGIT), np.int64))
     named = rows if numbers is None else numbers[rows].astype(np.int32)
     # What is never touched of so much room takes no memory
     nodes = np.empty((2 * count, WIDTH), np.int32)
@@ -117,31 +117,34 @@ def _encode(points, faces, cubic, codes):
 
 
 @kernel
-def _sort(codes, rows):
-    """Sort the codes, and tell where each stood; equal ones stay in order."""
-    count, buckets = codes.shape[0], 1 << DIGIT
-    other_codes, other_rows = np.empty_like(codes), np.empty_like(rows)
-    starts = np.empty((3, buckets), np.int64)
-    starts[:] = 0
-    for i in range(count):
+def _sort(codes, rows, other_codes, other_rows, starts):
+    """Sort the codes into the other arrays, with where each stood; equal ones stay in order.
+
+    starts: (3, 1 << DIGIT) int64 zeros, to count in.
+    """
+    for i in range(codes.shape[0]):
         rows[i] = i
         for turn in range(3):
-            starts[turn, (codes[i] >> (DIGIT * turn)) & (buckets - 1)] += 1
+            starts[turn, (codes[i] >> (DIGIT * turn)) & ((1 << DIGIT) - 1)] += 1
     for turn in range(3):
         total = 0
-        for k in range(buckets):
+        for k in range(1 << DIGIT):
             own = starts[turn, k]
             starts[turn, k] = total
             total += own
-    for turn in range(3):
-        for i in range(count):
-            digit = (codes[i] >> (DIGIT * turn)) & (buckets - 1)
-            at = starts[turn, digit]
-            other_codes[at], other_rows[at] = codes[i], rows[i]
-            starts[turn, digit] = at + 1
-        codes, other_codes, rows, other_rows = other_codes, codes, other_rows, rows
-    # Three turns leave the answer in the arrays that were made here
-    other_codes[:], other_rows[:] = codes, rows
+    deal(codes, rows, other_codes, other_rows, 0, starts[0])
+    deal(other_codes, other_rows, codes, rows, DIGIT, starts[1])
+    deal(codes, rows, other_codes, other_rows, 2 * DIGIT, starts[2])
+
+
+@helper
+def deal(codes, rows, sorted_codes, sorted_rows, shift, starts):
+    """Move every code to the next place of its digit."""
+    for i in range(codes.shape[0]):
+        digit = (codes[i] >> shift) & ((1 << DIGIT) - 1)
+        at = starts[digit]
+        sorted_codes[at], sorted_rows[at] = codes[i], rows[i]
+        starts[digit] = at + 1
 
 
 @kernel

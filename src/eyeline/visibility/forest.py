@@ -37,8 +37,6 @@ class Forest(NamedTuple):
     firsts: IntArray  # (S,) int32: added to a face's number
     sides: ByteArray  # of all faces that differ in them, and single ones
     sides_at: IntArray  # (S, 2) int64: those of slot k are at the first plus k times the second
-    recalled: IntArray  # (R,) int32: leaves to draw first, rising for each standing
-    recalled_at: IntArray  # (S + 1,) int64: where those of each standing begin
 
 
 class Standing(NamedTuple):
@@ -117,6 +115,4 @@ def planted(standings: list[Standing], on_grid: bool = False) -> Forest:
         np.array([one.first for one in standings], np.int32),
         np.concatenate([*pool, np.empty(0, np.uint8)]),
         sides_at,
-        np.empty(0, np.int32),
-        np.zeros(len(standings) + 1, np.int64),
     )

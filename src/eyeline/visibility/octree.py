@@ -26,21 +26,23 @@ from eyeline.visibility.forest import Forest, of_faces, of_surfaces, on_grid, pl
 from eyeline.visibility.method import Step, Visible
 from eyeline.visibility.outlook import crossing, survey
 from eyeline.visibility.pyramid import SQUARE_BITS, TILE, key_of
-from eyeline.visibility.recall import recalling
+from eyeline.visibility.recall import recalled
 from eyeline.visibility.walking import COUNTERS, walk_tiles
 
 NONE = np.empty(0, np.int32)
+NOWHERE = np.empty(0, np.int64)
 WORK = ("nodes visited", "nodes hidden", "faces drawn", "depth tests")  # what is counted
 
 Picture = tuple[int, int, int, int]  # width, height, and the shift of the samples, 1/256 pixel
 
 
 class Grove(NamedTuple):
-    """A forest, and the order in which its standings are walked."""
+    """A forest, and where its walks start: at the leaves of the hint, then at the roots."""
 
     forest: Forest
-    order: IntArray  # of the standings that can be seen, the nearest first
-    outlooks: IntArray  # (S, 5) of each: the greatest key; left, top, right, bottom
+    starts: IntArray  # (K, 7) int64 key, left, top, right, bottom, node, standing; the nearest first in each part
+    reminders: int  # how many of them are leaves of the hint
+    recalled: IntArray  # (R,) int64, rising: standing * nodes + leaf of the hint, drawn when the roots are walked
 
 
 @dataclass(frozen=True)
@@ -96,18 +98,24 @@ def groves_of(projected: Projected, hint: Visible | None) -> tuple[Grove, Grove]
     if projected.standing_by is None:
         return grove(of_faces(projected), picture), grove(planted([]), picture)
     meshes = of_surfaces(projected, projected.standing_by)
-    pieces = pieces_of(projected, meshes)
-    if hint is not None:
-        meshes = recalling(meshes, hint.face)
-    return grove(pieces, picture), grove(meshes, picture)
+    leaves = NOWHERE if hint is None else recalled(meshes, hint.face)
+    return grove(pieces_of(projected, meshes), picture), grove(meshes, picture, leaves)
 
 
-def grove(forest: Forest, picture: Picture) -> Grove:
-    """A forest in the order of its walk."""
-    outlooks = np.empty((len(forest.roots), 5), np.int64)
-    survey(forest, np.arange(len(forest.roots), dtype=np.int32), forest.roots, picture, outlooks)
-    order = np.argsort(-outlooks[:, 0], kind="stable")
-    return Grove(forest, order[outlooks[order, 0] > 0], outlooks)
+def grove(forest: Forest, picture: Picture, leaves: IntArray = NOWHERE) -> Grove:
+    """A forest and the starts of its walk; leaves: standing * nodes + leaf of those to begin with."""
+    standings, nodes = np.divmod(leaves, max(1, len(forest.nodes) // WIDTH))
+    reminders = seen_of(forest, standings, nodes, picture)
+    roots = seen_of(forest, np.arange(len(forest.roots)), forest.roots, picture)
+    return Grove(forest, np.concatenate([reminders, roots]), len(reminders), leaves)
+
+
+def seen_of(forest: Forest, standings: IntArray, nodes: IntArray, picture: Picture) -> IntArray:
+    """(K, 7) those nodes that can be seen, the nearest first: greatest key, pixels, node and standing."""
+    outlooks = np.empty((len(nodes), 5), np.int64)
+    survey(forest, standings.astype(np.int32), nodes.astype(np.int32), picture, outlooks)
+    rows = np.concatenate([outlooks, nodes[:, None], standings[:, None]], axis=1, dtype=np.int64)
+    return rows[np.argsort(-outlooks[:, 0], kind="stable")][: int((outlooks[:, 0] > 0).sum())]
 
 
 def pieces_of(projected: Projected, meshes: Forest) -> Forest:
@@ -142,6 +150,7 @@ class Part(NamedTuple):
     right: int
     bottom: int
     node: int
+    standing: int
 
     def within(self, tile: Rectangle) -> Rectangle | None:
         """The pixels of a tile that it can cover."""
@@ -159,44 +168,42 @@ class Canvas:
     work: dict[str, int]
 
     def walked(self, grove: Grove, tile: Rectangle) -> Iterator[Step]:
-        """What is recalled of a grove in one tile, then every standing of it, the nearest first."""
-        forest = grove.forest
-        recalled = [leaves.tolist() for leaves in np.split(forest.recalled, forest.recalled_at[1:-1])]
-        for standing in grove.order.tolist():
-            for part in self.parts(forest, standing, recalled[standing], tile):
-                yield from self.visited(forest, standing, part, tile)
-        for standing in grove.order.tolist():
-            root = Part(*grove.outlooks[standing].tolist(), int(forest.roots[standing]))
-            waiting = [root] if root.within(tile) else []
+        """A grove in one tile: each start in order, below it from front to back."""
+        drawn = set(grove.recalled.tolist())
+        for number, start in enumerate(grove.starts.tolist()):
+            waiting = [Part(*start)]
             while waiting:
                 part = waiting.pop()
-                known = part.node in recalled[standing]
-                children = yield from self.visited(forest, standing, part, tile, known)
-                waiting += sorted(self.parts(forest, standing, children, tile), key=lambda child: child.key)
+                if not part.within(tile):
+                    continue
+                place = part.standing * (len(grove.forest.nodes) // WIDTH) + part.node
+                known = number >= grove.reminders and place in drawn
+                children = yield from self.visited(grove.forest, part, tile, known)
+                waiting += [Part(*row) for row in children[::-1].tolist()]
 
     def visited(
-        self, forest: Forest, standing: int, part: Part, tile: Rectangle, known: bool = False
-    ) -> Generator[Step, None, list[int]]:
-        """Leave a node out, draw it if it is a leaf that is not known, or tell its children."""
+        self, forest: Forest, part: Part, tile: Rectangle, known: bool
+    ) -> Generator[Step, None, IntArray]:
+        """Leave a node out, draw it if it is a leaf that is not known, or tell its children, the nearest first."""
         node = forest.nodes.reshape(-1, WIDTH)[part.node]
-        children = list(range(node[CHILD], node[CHILD] + node[CHILDREN]))
         faces = f"a node of {node[END] - node[BEGIN]} faces"
         left, top, right, bottom = rectangle = part.within(tile) or tile
         box = (left, top, right + 1, bottom + 1)
+        children = np.arange(node[CHILD], node[CHILD] + node[CHILDREN])
         self.work["nodes visited"] += 1
         if part.key <= self.farthest(rectangle):
             self.work["nodes hidden"] += 1
             data = {"rectangle": box, "verdict": "dropped"}
             yield Step("hidden", f"{faces} lies behind what is drawn", data, dict(self.work))
-            return []
-        if children:
+            children = children[:0]
+        elif len(children):
             data = {"rectangle": box, "verdict": "split"}
             yield Step("opened", f"{faces} may be seen and is opened", data, dict(self.work))
         elif not known:
             data = {"rectangle": box, "verdict": "kept"}
             yield Step("leaf", f"{faces} may be seen and is drawn", data, dict(self.work))
-            yield from self.drawn(forest, standing, node, tile)
-        return children
+            yield from self.drawn(forest, part.standing, node, tile)
+        return seen_of(forest, np.full_like(children, part.standing), children, self.picture)
 
     def farthest(self, rectangle: Rectangle) -> int:
         """The least key in a rectangle, or in all small squares that a larger one touches: the pyramid's."""
@@ -205,14 +212,6 @@ class Canvas:
             left, top = (side >> SQUARE_BITS << SQUARE_BITS for side in (left, top))
             right, bottom = (side | (1 << SQUARE_BITS) - 1 for side in (right, bottom))
         return int(self.keys[top : bottom + 1, left : right + 1].min())
-
-    def parts(self, forest: Forest, standing: int, nodes: list[int], tile: Rectangle) -> list[Part]:
-        """Those of some nodes that can be seen in a tile."""
-        found = np.empty((len(nodes), 5), np.int64)
-        numbers = np.array(nodes, np.int32)
-        survey(forest, np.full_like(numbers, standing), numbers, self.picture, found)
-        parts = [Part(*row, node) for row, node in zip(found.tolist(), nodes, strict=True)]
-        return [part for part in parts if part.key > 0 and part.within(tile)]
 
     def drawn(self, forest: Forest, standing: int, leaf: IntArray, tile: Rectangle) -> Iterator[Step]:
         """Every face of a leaf, compared at the pixels it covers."""

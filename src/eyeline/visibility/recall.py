@@ -14,21 +14,18 @@ from eyeline.jit import kernel
 from eyeline.visibility.forest import Forest
 
 
-def recalling(forest: Forest, face: IntArray) -> Forest:
-    """A forest of meshes whose leaves with faces of a picture (H, W) are drawn first; -1 is no face."""
-    nodes = len(forest.nodes) // WIDTH
-    if not nodes:
-        return forest
-    leaves = np.empty(len(forest.numbers), np.int32)
-    found = np.empty(face.size, np.int64)
-    count = _recall(forest, read_only(face), leaves, np.full(face.shape[1], -1, np.int64), found)
-    places = np.unique(found[:count])
-    begins = np.searchsorted(places, np.arange(len(forest.roots) + 1) * np.int64(nodes))
-    return forest._replace(recalled=(places % nodes).astype(np.int32), recalled_at=begins.astype(np.int64))
+def recalled(forest: Forest, face: IntArray) -> IntArray:
+    """Which leaves of a forest of meshes hold faces of a picture (H, W): standing * nodes + leaf, rising."""
+    if not len(forest.nodes):
+        return np.empty(0, np.int64)
+    leaves, of_row = np.empty(len(forest.numbers), np.int32), np.empty(len(forest.numbers), np.int32)
+    above, found = np.full(face.shape[1], -1, np.int64), np.empty(face.size, np.int64)
+    count = _recall(forest, read_only(face), leaves, of_row, above, found)
+    return np.unique(found[:count])
 
 
 @kernel
-def _recall(forest, face, leaves, above, found):
+def _recall(forest, face, leaves, of_row, above, found):
     """List standing * nodes + leaf of the faces in a picture, few of them twice; how many that is."""
     nodes, count = forest.nodes.shape[0] // WIDTH, 0
     for node in range(nodes):
@@ -36,7 +33,6 @@ def _recall(forest, face, leaves, above, found):
             for slot in range(forest.nodes[node * WIDTH + BEGIN], forest.nodes[node * WIDTH + END]):
                 leaves[slot] = node
     # A tree's faces stand in its slots, in another order
-    of_row = np.empty_like(leaves)
     for k in range(forest.roots.shape[0]):
         root = forest.roots[k] * WIDTH
         if k > 0 and root == forest.roots[k - 1] * WIDTH:

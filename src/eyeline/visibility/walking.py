@@ -28,7 +28,7 @@ VISITED, HIDDEN, DRAWN, TESTS, COUNTERS = range(5)
 def walk_tiles(part, parts, picture, grid, meshes, depth_bits, face, work):
     """Fill tiles part, part + parts, ... of depth_bits (depth as int32) and face, both flat.
 
-    grid, meshes: (forest, order of its standings, their outlooks) each. work: (COUNTERS,) is added to.
+    grid, meshes: a Grove each, the same for all tiles. work: (COUNTERS,) is added to.
     """
     width, height = picture[0], picture[1]
     columns, rows = (width + TILE - 1) >> TILE_BITS, (height + TILE - 1) >> TILE_BITS
@@ -40,10 +40,8 @@ def walk_tiles(part, parts, picture, grid, meshes, depth_bits, face, work):
         right, bottom = min(left + TILE, width), min(top + TILE, height)
         clear(keys, pyramid, right - left, bottom - top)
         at = (left, top, right - 1, bottom - 1)
-        for forest, order, outlooks in (grid, meshes):
-            if forest.recalled.shape[0] > 0:
-                draw_recalled(forest, order, picture, at, keys, pyramid, spots, depths, work)
-            walk(forest, order, outlooks, picture, at, keys, pyramid, stack, spots, depths, work)
+        for grove in (grid, meshes):
+            walk(grove, picture, at, keys, pyramid, stack, spots, depths, work)
         for y in range(top, bottom):
             row = (y - top) << TILE_BITS
             for x in range(left, right):
@@ -64,16 +62,18 @@ def clear(keys, pyramid, width, height):
 
 
 @helper
-def walk(forest, order, outlooks, picture, tile, keys, pyramid, stack, spots, depths, work):
-    """Walk standings in order, each from front to back, in one tile (left, top, right, bottom)."""
+def walk(grove, picture, tile, keys, pyramid, stack, spots, depths, work):
+    """Walk a grove in one tile (left, top, right, bottom): each start in order, below it from front to back."""
+    forest = grove.forest
     left, top, right, bottom = tile
-    for k in order:
-        if outlooks[k, 1] > right or outlooks[k, 3] < left or outlooks[k, 2] > bottom or outlooks[k, 4] < top:
+    count = forest.nodes.shape[0] // WIDTH
+    for start in range(grove.starts.shape[0]):
+        for column in range(6):
+            stack[0, column] = grove.starts[start, column]
+        if stack[0, 1] > right or stack[0, 3] < left or stack[0, 2] > bottom or stack[0, 4] < top:
             continue
+        k = grove.starts[start, 6]
         m, first = matrix_of(forest.matrices, k), forest.firsts[k]
-        for column in range(5):
-            stack[0, column] = outlooks[k, column]
-        stack[0, 5] = forest.roots[k]
         waiting = 1
         while waiting > 0:
             waiting -= 1
@@ -84,24 +84,22 @@ def walk(forest, order, outlooks, picture, tile, keys, pyramid, stack, spots, de
             if hides(pyramid, keys, key, x0, y0, x1, y1):
                 work[HIDDEN] += 1
                 continue
-            count = forest.nodes[node * WIDTH + CHILDREN]
-            if count == 0:
-                if not is_recalled(forest, k, node):
+            children = forest.nodes[node * WIDTH + CHILDREN]
+            if children == 0:
+                if start < grove.reminders or not holds(grove.recalled, k * count + node):
                     place_leaf(forest, node, m, picture, spots, depths)
                     draw_leaf(forest, k, node, first, tile, keys, spots, depths, work)
                     refresh(pyramid, keys, x0, y0, x1, y1)
                 continue
-            base = waiting
-            for child in range(
-                forest.nodes[node * WIDTH + CHILD], forest.nodes[node * WIDTH + CHILD] + count
-            ):
+            base, eldest = waiting, forest.nodes[node * WIDTH + CHILD]
+            for child in range(eldest, eldest + children):
                 number = forest.nodes[child * WIDTH + LEAST] + first
                 own = outlook(forest.on_grid, m, box_of(forest.boxes, child), number, picture)
                 if own[0] <= 0 or own[1] > right or own[3] < left or own[2] > bottom or own[4] < top:
                     continue
-                # The nearest comes to lie on top
+                # The nearest comes to lie on top, of equals the first
                 spot = waiting
-                while spot > base and stack[spot - 1, 0] > own[0]:
+                while spot > base and stack[spot - 1, 0] >= own[0]:
                     for column in range(6):
                         stack[spot, column] = stack[spot - 1, column]
                     spot -= 1
@@ -111,39 +109,16 @@ def walk(forest, order, outlooks, picture, tile, keys, pyramid, stack, spots, de
 
 
 @helper
-def draw_recalled(forest, order, picture, tile, keys, pyramid, spots, depths, work):
-    """Draw the leaves of the hint in one tile, unless others of them hide them."""
-    left, top, right, bottom = tile
-    for k in order:
-        m, first = matrix_of(forest.matrices, k), forest.firsts[k]
-        for at in range(forest.recalled_at[k], forest.recalled_at[k + 1]):
-            node = forest.recalled[at]
-            number = forest.nodes[node * WIDTH + LEAST] + first
-            own = outlook(forest.on_grid, m, box_of(forest.boxes, node), number, picture)
-            if own[0] <= 0 or own[1] > right or own[3] < left or own[2] > bottom or own[4] < top:
-                continue
-            x0, y0 = max(own[1], left) - left, max(own[2], top) - top
-            x1, y1 = min(own[3], right) - left, min(own[4], bottom) - top
-            work[VISITED] += 1
-            if hides(pyramid, keys, own[0], x0, y0, x1, y1):
-                work[HIDDEN] += 1
-                continue
-            place_leaf(forest, node, m, picture, spots, depths)
-            draw_leaf(forest, k, node, first, tile, keys, spots, depths, work)
-            refresh(pyramid, keys, x0, y0, x1, y1)
-
-
-@helper
-def is_recalled(forest, standing, leaf):
-    """Whether a leaf is among those of the hint, which are drawn."""
-    low, high = forest.recalled_at[standing], forest.recalled_at[standing + 1]
+def holds(numbers, number):
+    """Whether a rising list holds a number."""
+    low, high = 0, numbers.shape[0]
     while low < high:
         middle = (low + high) >> 1
-        if forest.recalled[middle] < leaf:
+        if numbers[middle] < number:
             low = middle + 1
         else:
             high = middle
-    return low < forest.recalled_at[standing + 1] and forest.recalled[low] == leaf
+    return low < numbers.shape[0] and numbers[low] == number
 
 
 @helper
