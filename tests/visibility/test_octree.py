@@ -48,14 +48,16 @@ def bumpy(seed: int, rings: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def crowd(seed: int, count: int = 40) -> tuple[Scene, Camera]:
-    """Instances of three meshes around the eye, some of them mirrored, hidden, flat, or through the near plane."""
+    """Instances of three meshes around the eye, some mirrored, hidden, flat, or through the near plane."""
     random = np.random.default_rng(seed)
     points, faces = bumpy(seed, 8)
     mixed = Mesh(points, faces, materials=(ONE_SIDED, Material()), face_material=np.arange(len(faces)) % 2)
     nodes = []
     for mesh in (mixed, Mesh(points, faces, material=ONE_SIDED), Mesh(*soups.ball(3))):
         places = np.tile(np.eye(4), (count // 3, 1, 1))
-        places[:, :3, :3] = random.normal(size=(count // 3, 3, 3)) * 10 ** random.uniform(-1.5, 1, (count // 3, 1, 1))
+        places[:, :3, :3] = random.normal(size=(count // 3, 3, 3)) * 10 ** random.uniform(
+            -1.5, 1, (count // 3, 1, 1)
+        )
         places[::5, 2] = 0
         places[:, :3, 3] = random.uniform(-6, 6, (count // 3, 3))
         nodes += [Node("some", mesh=mesh, instances=places), Node("hidden", mesh=mesh, visible=False)]
@@ -80,14 +82,18 @@ def test_a_fine_mesh_around_the_eye_is_seen_as_the_depth_buffer_sees_it(seed: in
     points, faces = bumpy(seed, int(random.integers(8, 40)))
     scene = Scene.of(Mesh(points * random.uniform(0.2, 20, 3), faces, material=ONE_SIDED))
     eye = random.normal(size=3) * 10 ** random.uniform(-1, 1)
-    camera = Camera.look_at(eye, eye + random.normal(size=3), fov=1.5, near=float(10 ** random.uniform(-3, 0)))
+    camera = Camera.look_at(
+        eye, eye + random.normal(size=3), fov=1.5, near=float(10 ** random.uniform(-3, 0))
+    )
     projected = project(scene, camera, SIZE, cull)
     assert_same(OCTREE(projected), ZBUFFER(projected))
 
 
 @by_chance
 @given(seed=seeds, dx=st.integers(-128, 127), dy=st.integers(-128, 127))
-def test_samples_beside_the_centres_are_seen_as_the_depth_buffer_sees_them(seed: int, dx: int, dy: int) -> None:
+def test_samples_beside_the_centres_are_seen_as_the_depth_buffer_sees_them(
+    seed: int, dx: int, dy: int
+) -> None:
     scene, camera = crowd(seed, 20)
     projected = project(scene, camera, SIZE).shifted(dx, dy)
     assert_same(OCTREE(projected), ZBUFFER(projected))
@@ -152,7 +158,9 @@ def test_of_equal_depths_the_lower_number_is_seen_whichever_comes_first() -> Non
 
 def test_a_million_coincident_faces_are_one() -> None:
     mesh = Mesh([(-9, -9, 0), (9, -9, 0), (0, 9, 0)], np.tile([(0, 1, 2)], (1_000_000, 1)))
-    answer = OCTREE(project(Scene.of(mesh), Camera.look_at((0, 0, 4), (0, 0, 0), fov=1.0, near=0.1), (64, 64)))
+    answer = OCTREE(
+        project(Scene.of(mesh), Camera.look_at((0, 0, 4), (0, 0, 0), fov=1.0, near=0.1), (64, 64))
+    )
     assert set(np.unique(answer.face)) <= {-1, 0}
     assert answer.work["faces drawn"] <= 64
 

@@ -1,8 +1,8 @@
 """Where on the picture's grid the vertices in a box can fall, without looking at one of them.
 
-Rounding keeps order: if a <= b then round(a) <= round(b), and the same holds for sums, products and quotients of
-such numbers. So the formula of `placed`, step by step the same but with the least and the greatest that each
-number can be, gives bounds that hold for every vertex in the box to the last bit.
+Rounding keeps order: if a <= b then round(a) <= round(b), and the same holds for sums, products and quotients
+of such numbers. So the formula of `placed`, step by step the same but with the least and the greatest that
+each number can be, gives bounds that hold for every vertex in the box to the last bit. [Moore66]
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ def box_on_grid(m, across, down, box):
 
 @helper
 def is_beyond(a, b, c, d, box, size):
-    """Whether a x + b y + c z + d < 0 in a whole box, whoever computes it; size: |a|, |b|, |c|, |d| or more."""
+    """Whether a x + b y + c z + d < 0 in a whole box, however rounded; size: |a|, |b|, |c|, |d| or more."""
     _, high = span(a, b, c, d, box)
     lx, ly, lz, hx, hy, hz = box
     terms = (

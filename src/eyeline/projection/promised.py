@@ -1,4 +1,4 @@
-"""A picture whose arrays are made when somebody asks for them: a method that needs few never waits for all."""
+"""A picture whose arrays are made when somebody asks for them: who needs none of them waits for none."""
 
 from __future__ import annotations
 

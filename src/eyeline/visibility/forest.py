@@ -1,8 +1,8 @@
 """The octrees of a picture, where they stand, and in which order they are walked.
 
 A mesh has one octree, kept with it, however often it stands; a standing is a matrix, the number of its first
-face and the sides that count. Faces that are on the picture's grid already, pieces of cut ones among them, have a
-tree of their own over their pixels and depths, which stands once.
+face and the sides that count. Faces that are on the picture's grid already, pieces of cut ones among them,
+have a tree of their own over their pixels and depths, which stands once.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ def of_faces(projected: Projected) -> Forest:
 
 
 def on_grid(points: FloatArray, faces: IntArray, numbers: IntArray, sides: ByteArray) -> Forest:
-    """A tree over faces whose points (V, 3) float32 are pixels, in 1/256, and depth: exact, being below 2**24."""
+    """A tree over faces whose points (V, 3) float32 are xy in 1/256 pixel, exact below 2**24, and depth."""
     tree = octree_of(points, faces, numbers, cubic=False)
     return planted([Standing(tree, sides, np.zeros((4, 4)), 0)] if len(faces) else [], on_grid=True)
 
@@ -93,26 +93,32 @@ def planted(standings: list[Standing], on_grid: bool = False) -> Forest:
         list(trees.values()) or [octree_of(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))]
     )
     roots = np.array([tops[places[id(one.tree)]] for one in standings], np.int32)
-    pool: list[ByteArray] = []
-    where: dict[tuple[int, int], tuple[int, int]] = {}
+    flat = (read_only(part).reshape(-1) for part in (whole.boxes, whole.nodes, whole.points, whole.corners))
+    boxes, nodes, points, corners = flat
+    matrices = np.array([one.matrix for one in standings], np.float32).reshape(-1, 16)
+    firsts = np.array([one.first for one in standings], np.int32)
+    sides, sides_at = pooled(standings, whole.nodes[roots, BEGIN])
+    numbers = read_only(whole.numbers)
+    return Forest(boxes, nodes, points, corners, numbers, on_grid, matrices, roots, firsts, sides, sides_at)
+
+
+def pooled(standings: list[Standing], begins: IntArray) -> tuple[ByteArray, IntArray]:
+    """The sides of all standings, those that are the same once, and where each finds them by the slot.
+
+    begins: (S,) the first slot of each one's tree.
+    """
+    pool: list[ByteArray] = [np.empty(0, np.uint8)]
+    where: dict[int, tuple[int, int]] = {}
     filled, sides_at = 0, np.empty((len(standings), 2), np.int64)
     for k, one in enumerate(standings):
-        key = (id(one.tree), id(one.sides)) if isinstance(one.sides, np.ndarray) else (0, one.sides)
+        # Arrays by what they are, numbers by what they say
+        key = id(one.sides) if isinstance(one.sides, np.ndarray) else -one.sides
         if key not in where:
             each = isinstance(one.sides, np.ndarray)
-            part = np.asarray(one.sides, np.uint8)[one.tree.rows] if each else np.array([one.sides], np.uint8)
-            begin = int(whole.nodes[roots[k], BEGIN]) if each else 0
-            where[key] = (filled - begin, int(each))
-            pool.append(part)
-            filled += len(part)
+            pool.append(np.atleast_1d(np.uint8(one.sides)))
+            if each:
+                pool[-1] = pool[-1][one.tree.rows]
+            where[key] = (filled - int(begins[k]) * each, int(each))
+            filled += len(pool[-1])
         sides_at[k] = where[key]
-    return Forest(
-        *(read_only(one).reshape(-1) for one in (whole.boxes, whole.nodes, whole.points, whole.corners)),
-        read_only(whole.numbers),
-        on_grid,
-        np.array([one.matrix for one in standings], np.float32).reshape(-1, 16),
-        roots,
-        np.array([one.first for one in standings], np.int32),
-        np.concatenate([*pool, np.empty(0, np.uint8)]),
-        sides_at,
-    )
+    return np.concatenate(pool), sides_at

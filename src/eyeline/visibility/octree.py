@@ -40,17 +40,21 @@ class Grove(NamedTuple):
     """A forest, and where its walks start: at the leaves of the hint, then at the roots."""
 
     forest: Forest
-    starts: IntArray  # (K, 7) int64 key, left, top, right, bottom, node, standing; the nearest first in each part
+    starts: (
+        IntArray  # (K, 7) int64 key, left, top, right, bottom, node, standing; the nearest first in each part
+    )
     reminders: int  # how many of them are leaves of the hint
-    recalled: IntArray  # (R,) int64, rising: standing * nodes + leaf of the hint, drawn when the roots are walked
+    recalled: (
+        IntArray  # (R,) int64, rising: standing * nodes + leaf of the hint, drawn when the roots are walked
+    )
 
 
 @dataclass(frozen=True)
 class Octree:
     """Octree and depth pyramid: answers every scene, in time that grows with what is seen of it.
 
-    hint: what another frame saw, a film's last for example. Its faces are drawn first: that changes the work, never
-    the answer.
+    hint: what another frame saw, a film's last for example. Its faces are drawn first: that changes the work,
+    never the answer.
     """
 
     hint: Visible | None = None
@@ -123,7 +127,7 @@ def pieces_of(projected: Projected, meshes: Forest) -> Forest:
     found = np.empty((1024, 2), np.int32)
     while (count := crossing(meshes, picture_of(projected), found)) > len(found):
         found = np.empty((count, 2), np.int32)
-    corners, numbers, sides = [np.empty((0, 3), np.float32)], [NONE], [NONE]
+    corners, numbers, sides = [np.empty((0, 3), np.float32)], [NONE], [NONE.astype(np.uint8)]
     for standing in np.unique(found[:count, 0]):
         rows = found[:count, 1][found[:count, 0] == standing]
         first = int(meshes.firsts[standing])
@@ -132,10 +136,10 @@ def pieces_of(projected: Projected, meshes: Forest) -> Forest:
         corners.append(np.concatenate([xy, depth[..., None]], axis=-1).astype(np.float32).reshape(-1, 3))
         numbers.append(source + np.int32(first))
         own = sides_of(projected.surfaces[number], projected.standing_by or "auto")
-        sides.append(own[source] if isinstance(own, np.ndarray) else np.full(len(source), own))
+        sides.append(np.broadcast_to(np.uint8(own), len(projected.surfaces[number].mesh.faces))[source])
     points = np.concatenate(corners)
     faces = np.arange(len(points), dtype=np.int32).reshape(-1, 3)
-    return on_grid(points, faces, np.concatenate(numbers), np.concatenate(sides).astype(np.uint8))
+    return on_grid(points, faces, np.concatenate(numbers), np.concatenate(sides))
 
 
 # --- the same, to be read ---------------------------------------------------------------------------------
@@ -184,7 +188,7 @@ class Canvas:
     def visited(
         self, forest: Forest, part: Part, tile: Rectangle, known: bool
     ) -> Generator[Step, None, IntArray]:
-        """Leave a node out, draw it if it is a leaf that is not known, or tell its children, the nearest first."""
+        """Leave a node out, draw it if it is a leaf not yet known, or tell its children, nearest first."""
         node = forest.nodes.reshape(-1, WIDTH)[part.node]
         faces = f"a node of {node[END] - node[BEGIN]} faces"
         left, top, right, bottom = rectangle = part.within(tile) or tile

@@ -1,8 +1,8 @@
-"""A pyramid over the keys of one tile of the picture: how near the farthest pixel of any square is. [Greene93]
+"""A pyramid over the keys of one tile: how near the farthest pixel of any square is. [Greene93]
 
-A key is the bits of a depth above those of an inverted face number: the greater is nearer, and of equal depths
-has the lower number. The pyramid holds the least key of 8x8 pixels, of four such squares, and so on up to the
-whole tile. What has no greater key is hidden wherever it falls within.
+A key is the bits of a depth above those of an inverted face number: the greater is nearer, and of equal
+depths has the lower number. The pyramid holds the least key of 8x8 pixels, of four such squares, and so on up
+to the whole tile. What has no greater key is hidden wherever it falls within.
 """
 
 from __future__ import annotations
@@ -33,14 +33,16 @@ def first_cell(level):
 
 @helper
 def hides(pyramid, keys, key, left, top, right, bottom):
-    """Whether all pixels of a rectangle, borders included, are as near as a key: looked up from coarse to fine.
+    """Whether all pixels of a rectangle, borders inside, are as near as a key: looked up from coarse to fine.
 
     A rectangle no larger than a square of the finest level is looked up pixel by pixel at last.
     """
     for up in range(TOP + 1):
         level = TOP - up
         bits, cells = SQUARE_BITS + level, first_cell(level)
-        if all_reach(pyramid, cells, TOP - level, key, left >> bits, top >> bits, right >> bits, bottom >> bits):
+        if all_reach(
+            pyramid, cells, TOP - level, key, left >> bits, top >> bits, right >> bits, bottom >> bits
+        ):
             return True
     if max(right - left, bottom - top) >> SQUARE_BITS > 0:
         return False

@@ -1,7 +1,7 @@
 """What another frame saw, as leaves to draw first: they hide the rest before it is looked at.
 
-A film's next frame sees nearly what this one saw. The answer does not depend on what is recalled, nor on whether
-it is of the same scene: a leaf that is drawn early is a leaf that is drawn.
+A film's next frame sees nearly what this one saw. The answer does not depend on what is recalled, nor on
+whether it is of the same scene: a leaf that is drawn early is a leaf that is drawn.
 """
 
 from __future__ import annotations

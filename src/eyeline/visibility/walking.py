@@ -63,7 +63,7 @@ def clear(keys, pyramid, width, height):
 
 @helper
 def walk(grove, picture, tile, keys, pyramid, stack, spots, depths, work):
-    """Walk a grove in one tile (left, top, right, bottom): each start in order, below it from front to back."""
+    """Walk a grove in one tile (left, top, right, bottom): every start, below it from front to back."""
     forest = grove.forest
     left, top, right, bottom = tile
     count = forest.nodes.shape[0] // WIDTH
@@ -177,5 +177,3 @@ def edge_at(x0, y0, x1, y1, px, py):
     """The edge function of an edge that leads clockwise, with its bias: 0 or more is inside."""
     a, b = y0 - y1, x1 - x0
     return a * (px - x0) + b * (py - y0) + edge_bias(a, b)
-
-
