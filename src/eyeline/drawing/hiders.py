@@ -87,7 +87,7 @@ def nearest_first(depth: FloatArray) -> IntArray:
 
 @kernel
 def _depths(part, parts, screen, faces, shift, columns, rows, farthest, depth):
-    """The nearest depth of each face; infinite where all strokes in its cells are nearer."""
+    """The nearest depth of each face; infinite if it is edge-on, or all strokes in its cells are nearer."""
     count = faces.shape[0]
     for face in range(count * part // parts, count * (part + 1) // parts):
         a, b, c = faces[face, 0], faces[face, 1], faces[face, 2]
@@ -97,6 +97,8 @@ def _depths(part, parts, screen, faces, shift, columns, rows, farthest, depth):
         row = max(int(min(screen[a, 1], screen[b, 1], screen[c, 1]) - 1.0), 0) >> shift
         end = int(max(screen[a, 1], screen[b, 1], screen[c, 1], -2.0) + 1.0) >> shift
         last, end = min(last, columns - 1), min(end, rows - 1)
+        if turn(screen[a, 0], screen[a, 1], screen[b, 0], screen[b, 1], screen[c, 0], screen[c, 1]) == 0.0:
+            end = row - 1
         while row <= end and not before:
             for column in range(first, last + 1):
                 before |= nearest < farthest[row * columns + column]
