@@ -38,7 +38,7 @@ def draw(
     camera: CameraName = None,
     hidden: Hidden = "omit",
     edges: Edges = "outline,boundary,crease,intersection",
-    crease: Crease = 30.0,
+    crease: Crease = 40.0,
     json: Json = False,
     quiet: Quiet = False,
     debug: Debug = False,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -43,6 +43,11 @@ class Lines:
     faces: IntArray  # (N, 2) scene faces the piece lies in; -1 is none
     seen: BoolArray  # (N,)
     name: IntArray  # (N, 2) ends of the same name meet; -1 ends where something begins to hide, or is cut
+
+    def only(self, wanted: BoolArray) -> Lines:
+        """Some of the pieces (N,)."""
+        size, *arrays = (getattr(self, field.name) for field in fields(self))
+        return Lines(size, *(array[wanted] for array in arrays))
 
     @cached_property
     def paths(self) -> tuple[Path, ...]:

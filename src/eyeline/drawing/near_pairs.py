@@ -17,19 +17,21 @@ def near_pairs(model: Model, rows: IntArray) -> IntArray:
 
     Space is cut into cells about twice as wide as a face; only those that two parts touch are looked into.
     """
-    boxes = np.empty((len(rows), 6))
-    _face_boxes(read_only(model.points), read_only(model.faces), read_only(rows), boxes)
-    low, high = boxes[:, :3].min(axis=0), boxes[:, 3:].max(axis=0)
-    spread = high - low
-    width = max(2 * float((boxes[:, 3:] - boxes[:, :3]).mean()), float(spread.max()) / 1000)
+    boxes, whole = np.empty((len(rows), 6)), np.empty(6)
+    given = (read_only(model.points), read_only(model.faces), read_only(rows))
+    extent = _face_boxes(*given, boxes, whole)
+    spread = whole[3:] - whole[:3]
+    width = max(2 * extent, float(spread.max()) / 1000)
     width = max(width, (float(spread.prod()) / min(CELLS, 8 * len(rows) + 64)) ** (1 / 3)) or 1.0
     size = (spread / width).astype(np.int64) + 1
-    reach = ((boxes - np.tile(low, 2)) / width).astype(np.int32)
-    part = model.part[rows]
+    part, reach = model.part[rows], np.empty((len(rows), 6), np.int32)
     owner, count = np.full(size.prod(), -1, np.int32), np.zeros(size.prod() + 2, np.int32)
     near = np.zeros(len(rows), np.bool_)
     row_size, column_size = int(size[1]), int(size[2])
-    _shared_cells(read_only(part), read_only(reach), row_size, column_size, owner, count, near)
+    _shared_cells(
+        read_only(part), read_only(boxes), read_only(whole), width, row_size, column_size, reach, owner,
+        count, near,
+    )  # fmt: skip
     few = np.flatnonzero(near)
     few = few[np.argsort(part[few], kind="stable")]  # so that each cell's list is grouped by part
     pairs = _close_pairs(
@@ -41,17 +43,30 @@ def near_pairs(model: Model, rows: IntArray) -> IntArray:
 
 
 @kernel
-def _face_boxes(points, faces, rows, boxes):
+def _face_boxes(points, faces, rows, boxes, whole):
+    """The mean extent of faces; fills their boxes, and the box of all."""
+    extent = 0.0
+    for k in range(3):
+        whole[k], whole[3 + k] = np.inf, -np.inf
     for i in range(rows.shape[0]):
         a, b, c = faces[rows[i], 0], faces[rows[i], 1], faces[rows[i], 2]
         for k in range(3):
             boxes[i, k] = min(points[a, k], points[b, k], points[c, k])
             boxes[i, 3 + k] = max(points[a, k], points[b, k], points[c, k])
+            whole[k], whole[3 + k] = min(whole[k], boxes[i, k]), max(whole[3 + k], boxes[i, 3 + k])
+            extent += boxes[i, 3 + k] - boxes[i, k]
+    return extent / (3 * rows.shape[0])
 
 
 @kernel
-def _shared_cells(part, reach, rows, columns, owner, count, near):
-    """Mark cells that two parts touch; count, two places late, the faces in each, and mark these faces."""
+def _shared_cells(part, boxes, whole, width, rows, columns, reach, owner, count, near):
+    """Mark cells that two parts touch; count, two places late, the faces in each, and mark these faces.
+
+    Fills reach: the first and last cell that each face touches along x, y and z.
+    """
+    for i in range(part.shape[0]):
+        for k in range(6):
+            reach[i, k] = int((boxes[i, k] - whole[k % 3]) / width)
     for step in range(2):
         for i in range(part.shape[0]):
             for x in range(reach[i, 0], reach[i, 3] + 1):

@@ -7,12 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eyeline.drawing.kinds import KINDS
+from eyeline.drawing.kinds import CREASE, KINDS
 from eyeline.drawing.lines import Lines
 from eyeline.drawing.pens import HIDDEN, PICTURE_HEIGHT, UNDER, VISIBLE, Pen
-from eyeline.geometry.arrays import IntArray
+from eyeline.geometry.arrays import BoolArray, IntArray
+from eyeline.geometry.normals import together
 
 PARTS = 100  # of a pixel, to which places are rounded
+SPECK = 12.0  # pixels of a picture PICTURE_HEIGHT high: shorter creases that touch no other line are noise
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,20 +47,35 @@ class Sheet:
 def sheet_of(lines: Lines, names: Sequence[str], hidden: bool, title: str, metres: float | None) -> Sheet:
     """Lines with their pens; names: of the scene's nodes. hidden: whether hidden lines are drawn."""
     found: dict[tuple[int, bool, int], list[IntArray]] = {}
-    for path in lines.paths:
+    factor = lines.size[1] / PICTURE_HEIGHT
+    for path in lines.only(~specks(lines, SPECK * factor)).paths:
         points = plain(np.rint(path.points * PARTS).astype(np.int64))
         if (path.seen or hidden) and len(points) > 1:
             order = UNDER.index(KINDS[path.kind - 1])
             found.setdefault((path.node, path.seen, order), []).append(points)
-    factor = lines.size[1] / PICTURE_HEIGHT
-    groups = [
-        Group(
-            names[node], UNDER[order], seen, (VISIBLE if seen else HIDDEN)[UNDER[order]].scaled(factor),
-            tuple(paths),
-        )
-        for (node, seen, order), paths in sorted(found.items())
-    ]  # fmt: skip
+    groups = []
+    for (node, seen, order), paths in sorted(found.items()):
+        pen = (VISIBLE if seen else HIDDEN)[UNDER[order]].scaled(factor)
+        groups.append(Group(names[node], UNDER[order], seen, pen, tuple(paths)))
     return Sheet(lines.size, tuple(groups), title, metres)
+
+
+def specks(lines: Lines, least: float) -> BoolArray:
+    """(N,) which pieces are of creases shorter than `least` pixels that begin and end on a bare surface.
+
+    What something hides in part, and what touches a line of another kind, is no speck however short.
+    """
+    ends = lines.name.reshape(-1)
+    half = np.flatnonzero(ends >= 0)
+    half = half[np.argsort(ends[half], kind="stable")]
+    meet = ends[half[1:]] == ends[half[:-1]]
+    group = together(len(lines.kind), half[:-1][meet] // 2, half[1:][meet] // 2)
+    length = np.sqrt(((lines.pixels[:, 1] - lines.pixels[:, 0]) ** 2).sum(axis=1))
+    total = np.bincount(group, weights=length, minlength=len(group))
+    clear = (lines.kind == CREASE) & (lines.name >= 0).all(axis=1)
+    bare = np.bincount(group, weights=~clear, minlength=len(group)) == 0
+    short: BoolArray = (bare & (total < least))[group]
+    return short
 
 
 def plain(points: IntArray) -> IntArray:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import importlib
+import importlib.util
 import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -21,7 +23,12 @@ if TYPE_CHECKING:
     from eyeline.scene.scene import Scene
 
 HIDDEN = ("omit", "dashed")
-CREASE = math.radians(30)
+FORMATS = {
+    ".svg": ("eyeline.drawing.svg", "svg_of", ""),
+    ".pdf": ("eyeline.drawing.pdf", "pdf_of", "fpdf"),
+    ".dxf": ("eyeline.drawing.dxf", "dxf_of", "ezdxf"),
+}  # suffix -> where its writer is, and the library of the extra `draw` that it needs
+CREASE = math.radians(40)
 
 
 def draw(
@@ -96,9 +103,11 @@ class Drawing:
 
 def writer_of(path: Path) -> Callable[[Sheet], bytes]:
     """What writes a drawing to a file of this name. Refused: what it cannot be, and a missing library."""
-    match path.suffix.lower():
-        case ".svg":
-            from eyeline.drawing.svg import svg_of as written
-        case _:
-            raise FileError(f"{path}: {path.suffix or 'no suffix'} is no drawing; use .svg, .pdf, .dxf")
-    return written
+    suffix = path.suffix.lower()
+    if suffix not in FORMATS:
+        raise FileError(f"{path}: {path.suffix or 'no suffix'} is no drawing; use {', '.join(FORMATS)}")
+    module, function, library = FORMATS[suffix]
+    if library and importlib.util.find_spec(library) is None:
+        raise OptionError(f"{path}: {suffix} needs what is not installed; pip install eyeline[draw]")
+    writer: Callable[[Sheet], bytes] = getattr(importlib.import_module(module), function)
+    return writer
