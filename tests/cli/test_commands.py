@@ -64,6 +64,19 @@ def test_demo_makes_a_film_all_four_kinds_of_result(
         assert sheet.width > 4 * 400
 
 
+def test_draw_writes_the_kinds_that_are_asked_for(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+    path = str(tmp_path / "cube.svg")
+    options = ["--hidden", "dashed", "--edges", "crease, outline", "--size", "320x180", "--json"]
+    found = json.loads(told(capfd, "draw", "sample:cube", "-o", path, *options))
+    assert {**found, "seconds": 0} == {
+        "path": path, "size": [320, 180], "seconds": 0,
+        "paths": {"outline": 1, "crease": 2, "hidden crease": 2},
+    }  # fmt: skip
+    assert json.loads(told(capfd, "draw", "sample:cube", "-o", path, "--crease", "91", "--json"))[
+        "paths"
+    ] == {"outline": 1}
+
+
 def test_a_background_is_a_colour_as_css_writes_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     for name, color in {
         "white": (255, 255, 255),

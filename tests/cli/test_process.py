@@ -89,7 +89,7 @@ def test_a_refusal_is_one_sentence_and_code_2(tmp_path: Path) -> None:
 def test_help_tells_every_command(tmp_path: Path) -> None:
     code, out, _ = ended(tmp_path, "--help")
     assert code == 0
-    assert all(name in out for name in ("render", "info", "doctor", "demo"))
+    assert all(name in out for name in ("render", "draw", "info", "doctor", "demo"))
 
 
 def test_output_may_be_cut_off(tmp_path: Path) -> None:

@@ -64,6 +64,25 @@ STILLS = {
     "resume of a picture": (["--resume"], "--resume"),
 }
 
+DRAWINGS = {
+    "no kind of edge": (["--edges", "outline,shade"], "'shade'"),
+    "no edges": (["--edges", ","], "edges is empty"),
+    "hidden lines of another kind": (["--hidden", "dotted"], "'dotted'"),
+    "crease of more than half a turn": (["--crease", "200"], "200"),
+    "crease nan": (["--crease", "nan"], "nan"),
+    "crease of words": (["--crease", "sharp"], "'sharp'"),
+    "size of nothing": (["--size", "0x9"], "0"),
+    "size too wide": (["--size", "99999x9"], "99999"),
+    "time nan": (["--time", "nan"], "nan"),
+    "unknown clip": (["--clip", "walk"], "'walk'"),
+    "unknown camera": (["--camera", "front"], "'front'"),
+    "an option of pictures": (["--samples", "4"], "--samples"),
+    "a picture": (["-o", "out.png"], ".svg"),
+    "no suffix": (["-o", "out"], ".svg"),
+    "a missing folder": (["-o", "none/out.svg"], "none"),
+    "a folder": (["-o", "folder.svg"], "folder.svg"),
+}
+
 FILMS = {
     "no clip and no end": ([], "--turntable"),
     "fps 0": (["--end", "1", "--fps", "0"], "fps is 0"),
@@ -106,7 +125,13 @@ def refused(capfd: pytest.CaptureFixture[str], folder: Path, arguments: list[str
 
 @pytest.mark.parametrize("case", SCENES)
 @pytest.mark.parametrize(
-    "command", [["render", "-o", "out.png"], ["render", "-o", "out.mp4", "--end", "1"], ["info"]]
+    "command",
+    [
+        ["render", "-o", "out.png"],
+        ["render", "-o", "out.mp4", "--end", "1"],
+        ["draw", "-o", "out.svg"],
+        ["info"],
+    ],
 )
 def test_a_scene_that_cannot_be_read(
     folder: Path, capfd: pytest.CaptureFixture[str], command: list[str], case: str
@@ -130,6 +155,13 @@ def test_an_option_that_cannot_be_used(
 def test_an_option_that_no_picture_takes(folder: Path, capfd: pytest.CaptureFixture[str], case: str) -> None:
     options, word = STILLS[case]
     refused(capfd, folder, ["render", "good.obj", "-o", "out.png", *options], word)
+
+
+@pytest.mark.parametrize("case", DRAWINGS)
+def test_an_option_that_no_drawing_takes(folder: Path, capfd: pytest.CaptureFixture[str], case: str) -> None:
+    options, word = DRAWINGS[case]
+    (folder / "folder.svg").mkdir()
+    refused(capfd, folder, ["draw", "good.obj", "-o", "out.svg", *options], word)
 
 
 @pytest.mark.parametrize("case", FILMS)

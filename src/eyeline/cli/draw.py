@@ -14,6 +14,7 @@ import typer
 from eyeline.cli.progress import say
 from eyeline.cli.render import CameraName, ClipName
 from eyeline.cli.values import Debug, Json, Quiet, SceneName, Size, clip_of, scene_of, size_of
+from eyeline.errors import OptionError
 
 Out = Annotated[
     Path,
@@ -53,6 +54,8 @@ def draw(
     begun = clock.perf_counter()
     writer_of(output)
     refuse_place(output)
+    if not 0 <= crease <= 180:
+        raise OptionError(f"crease is {crease:g} degrees; 0 to 180 is needed")
     wanted = checked_size(size_of(size))
     kinds = checked_kinds(name.strip() for name in edges.split(",") if name.strip())
     opened = scene_of(scene)
