@@ -7,7 +7,7 @@ from typing import Any
 
 from sphinx_gallery.scrapers import figure_rst
 
-SHOWN = {".png", ".gif", ".webp"}
+SHOWN = {".png", ".gif", ".webp", ".svg"}
 
 
 def saved_pictures(block: tuple[str, str, int], variables: dict[str, Any], settings: dict[str, Any]) -> str:
