@@ -8,7 +8,7 @@ from benchmarks import results
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
-ORDER = ("zbuffer", "shading", "film", "first_png", "skinning")
+ORDER = ("zbuffer", "shading", "drawing", "film", "first_png", "skinning")
 
 
 def main() -> None:

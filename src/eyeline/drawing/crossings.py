@@ -81,7 +81,7 @@ def _cross(part, parts, points, faces, edges, face_edges, pairs, contact, ends, 
 
     touch: for each end the edge, as two vertices, and the face that meet there.
     """
-    count = pairs.shape[0]
+    count, highs = pairs.shape[0], np.empty(3)
     for i in range(count * part // parts, count * (part + 1) // parts):
         n, passing = 0, True
         for turned in range(2):
@@ -90,15 +90,21 @@ def _cross(part, parts, points, faces, edges, face_edges, pairs, contact, ends, 
             at_a = (a, points[a, 0], points[a, 1], points[a, 2])
             at_b = (b, points[b, 0], points[b, 1], points[b, 2])
             at_c = (c, points[c, 0], points[c, 1], points[c, 2])
-            below, over, level = False, False, 0
+            for k in range(3):
+                u = faces[f, k]
+                highs[k] = height(at_a, at_b, at_c, (u, points[u, 0], points[u, 1], points[u, 2]))
+            lowest, highest = min(highs[0], highs[1], highs[2]), max(highs[0], highs[1], highs[2])
+            below, over, level = lowest < -contact, highest > contact, 0
+            if (lowest > contact) | (highest < -contact):
+                passing = False
+                break
             for k in range(3):
                 u, v = faces[f, k], faces[f, (k + 1) % 3]
-                u, v = min(u, v), max(u, v)
+                high_u, high_v = highs[k], highs[(k + 1) % 3]
+                if u > v:
+                    u, v, high_u, high_v = v, u, high_v, high_u
                 at_u = (u, points[u, 0], points[u, 1], points[u, 2])
                 at_v = (v, points[v, 0], points[v, 1], points[v, 2])
-                high_u, high_v = height(at_a, at_b, at_c, at_u), height(at_a, at_b, at_c, at_v)
-                below |= min(high_u, high_v) < -contact
-                over |= max(high_u, high_v) > contact
                 if (abs(high_u) <= contact) & (abs(high_v) <= contact):
                     level = k + 1
                 if n == 3 or above(at_a, at_b, at_c, at_u) == above(at_a, at_b, at_c, at_v):
@@ -126,7 +132,7 @@ def _cross(part, parts, points, faces, edges, face_edges, pairs, contact, ends, 
                             beyond = high > contact if below else high < -contact
                 passing &= beyond
         long = 0.0
-        if n == 2:
+        if passing and n == 2:
             for x in range(3):
                 long = max(long, abs(ends[i, 0, x] - ends[i, 1, x]))
         found[i] = passing and long > contact

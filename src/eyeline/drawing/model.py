@@ -113,16 +113,17 @@ def numbered_edges(shapes: list[Topology], vertex: list[int], face: list[int]) -
     begin = 0
     for shape, first_vertex, first_face in zip(shapes, vertex, face, strict=True):
         own = edges[begin : begin + len(shape.edges)]
-        own[:, :3] += np.array([first_vertex, first_vertex, first_face], np.int32)
-        own[:, 3] = np.where(own[:, 3] < 0, -1, own[:, 3] + np.int32(first_face))
+        own += np.array([first_vertex, first_vertex, first_face, first_face], np.int32)
+        own[shape.open_edges, 3] = -1
         begin += len(shape.edges)
     return edges
 
 
 def numbered_sides(shapes: list[Topology], edge: list[int]) -> IntArray:
     """(F, 3) the edges along the sides of all faces."""
-    parts = [
-        np.where(shape.face_edges < 0, np.int32(-1), shape.face_edges + np.int32(first))
-        for shape, first in zip(shapes, edge, strict=True)
-    ]
-    return np.concatenate([np.empty((0, 3), np.int32), *parts])
+    sides = stacked([shape.face_edges for shape in shapes], edge, 3)
+    begin = 0
+    for shape in shapes:
+        sides[begin : begin + len(shape.faces)][shape.flat_faces] = -1
+        begin += len(shape.faces)
+    return sides

@@ -28,6 +28,8 @@ class Topology:
     odd: ByteArray  # (E,) PLAIN, TWISTED or BRANCHING
     face_edges: IntArray  # (F, 3) int32: the edge from each corner to the next; -1 for a face without area
     part: IntArray  # (F,) int32: a number that faces share if vertices connect them
+    open_edges: IntArray  # the rows of edges that have one face
+    flat_faces: IntArray  # the rows of faces of which two corners are one; they have no edges
 
 
 _known: WeakKeyDictionary[Mesh, Topology] = WeakKeyDictionary()
@@ -52,7 +54,9 @@ def build(mesh: Mesh) -> Topology:
     slots = 1 << max(4, (6 * count).bit_length())
     found = _find_edges(read_only(faces), np.full(slots, -1, np.int32), edges, odd, face_edges)
     _find_parts(read_only(faces), np.arange(len(points), dtype=np.int32), part)
-    return Topology(faces, edges[:found].copy(), odd[:found].copy(), face_edges, part)
+    edges = edges[:found].copy()
+    open_edges, flat_faces = np.flatnonzero(edges[:, 3] < 0), np.flatnonzero(face_edges[:, 0] < 0)
+    return Topology(faces, edges, odd[:found].copy(), face_edges, part, open_edges, flat_faces)
 
 
 @kernel
