@@ -180,6 +180,26 @@ def test_an_edge_that_two_boxes_share_is_drawn_once() -> None:
     assert len(pieces) == len(set(pieces))
 
 
+@pytest.mark.parametrize("height", [None, 5.0], ids=["perspective", "orthographic"])
+def test_where_edges_of_two_boxes_overlap_one_is_drawn(height: float | None) -> None:
+    """A small box flush on the front and the left of a large one: their edges overlap in part."""
+    camera = Camera.look_at((-3, 2.5, 4), (0, 0, 0), height=height)
+    large, small = box((-1, -1, -1), (1, 1, 1)), box((-1, -0.4, 0.3), (-0.2, 0.5, 1))
+    alone, both = (
+        lines_of(Scene.of(*meshes), camera, (320, 240), USUAL, RIGHT_ANGLE)
+        for meshes in ((large,), (large, small))
+    )
+    corner = [np.array([-1, y, 1.0]) for y in (-1, 1)]
+
+    def on_corner(lines: Lines) -> float:
+        """Metres of pieces along the large box's corner, however often."""
+        along = (np.abs(lines.world - corner[0])[:, :, [0, 2]] < 1e-4).all(axis=(1, 2))
+        return length_in_world(lines, along)
+
+    assert on_corner(alone) == pytest.approx(2, abs=1e-3)
+    assert on_corner(both) == pytest.approx(2, abs=1e-3)
+
+
 def test_corners_at_one_place_are_one() -> None:
     """A box whose faces share no vertices, as a file with normals has it, has the same lines."""
     mesh = box((-1, -1, -1), (1, 1, 1))

@@ -11,6 +11,7 @@ from eyeline.drawing.cells import visits_of
 from eyeline.drawing.chains import chained
 from eyeline.drawing.choice import chosen_edges, facings
 from eyeline.drawing.crossings import crossing_strokes
+from eyeline.drawing.doubles import without_doubles
 from eyeline.drawing.grid import Grid
 from eyeline.drawing.hiders import corners_of, hiders_of
 from eyeline.drawing.hiding import Spans, spans_of
@@ -84,6 +85,7 @@ def lines_of(
     visits = visits_of(strokes, corners, grid)
     hiders = hiders_of(corners, visits.farthest, visits.shift, visits.columns, visits.rows)
     spans = spans_of(strokes, model, grid, visits, hiders)
+    spans = without_doubles(spans, strokes, grid, visits)
     return gathered(strokes, spans, model, grid, camera)
 
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.drawing.model import Model
+from eyeline.errors import OptionError
 from eyeline.geometry.arrays import IntArray, read_only
 from eyeline.jit import kernel
 
 CELLS = 1 << 21  # of the grid in space, at most
+MOST_PAIRS = 1 << 24  # so that a heap of faces is refused before it takes all memory
 SHARED = -2  # whose a cell is that two parts touch; -1 is nobody's
 
 
@@ -38,6 +40,11 @@ def near_pairs(model: Model, rows: IntArray) -> IntArray:
         read_only(boxes[few]), read_only(part[few]), read_only(reach[few]), row_size, column_size,
         read_only(owner), np.cumsum(count, dtype=np.int32),
     )  # fmt: skip
+    if len(pairs) > MOST_PAIRS:
+        raise OptionError(
+            f"more than {MOST_PAIRS} pairs of faces may pass through each other;"
+            " leave 'intersection' out of edges"
+        )
     found = np.sort(rows[few[pairs]], axis=1)
     return found[np.lexsort((found[:, 1], found[:, 0]))]
 
@@ -106,6 +113,8 @@ def _close_pairs(boxes, part, reach, rows, columns, owner, start):
                 x, y = max(reach[i, 0], reach[j, 0]), max(reach[i, 1], reach[j, 1])
                 if apart or cell != (x * rows + y) * columns + max(reach[i, 2], reach[j, 2]):
                     continue
+                if found > MOST_PAIRS:
+                    return pairs[:found].copy()
                 if found == pairs.shape[0]:
                     pairs = np.concatenate((pairs, pairs))
                 pairs[found, 0], pairs[found, 1] = i, j
