@@ -45,8 +45,7 @@ def near_pairs(model: Model, rows: IntArray) -> IntArray:
             f"more than {MOST_PAIRS} pairs of faces may pass through each other;"
             " leave 'intersection' out of edges"
         )
-    found = np.sort(rows[few[pairs]], axis=1)
-    return found[np.lexsort((found[:, 1], found[:, 0]))]
+    return np.sort(rows[few[pairs]], axis=1)
 
 
 @kernel
