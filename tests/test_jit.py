@@ -505,7 +505,8 @@ def test_threads_stay_off_the_core_of_their_caller(
 def test_kernels_see_the_same_as_the_python_they_are_written_in() -> None:
     program = (
         "import eyeline as el; "
-        "print(el.visible(el.samples.cyclic_overlap(), size=(32, 18)).face.tobytes().hex())"
+        "print(el.visible(el.samples.cyclic_overlap(), size=(32, 18)).face.tobytes().hex()); "
+        "print(el.draw(el.samples.cube(), size=(320, 180), hidden='dashed')._repr_svg_())"
     )
     told = [
         subprocess.run(

@@ -11,7 +11,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, IntArray, read_only
-from eyeline.geometry.weld import first_alike
+from eyeline.geometry.weld import first_alike, mixing
 from eyeline.jit import kernel
 from eyeline.scene.mesh import Mesh
 
@@ -73,9 +73,7 @@ def _find_edges(faces, table, edges, odd, face_edges):
         for k in range(3):
             begin, end = faces[face, k], faces[face, (k + 1) % 3]
             low, high = min(begin, end), max(begin, end)
-            mixed = np.uint64(low) * np.uint64(0x9E3779B97F4A7C15) + np.uint64(high)
-            mixed = (mixed ^ (mixed >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
-            slot = np.int64(mixed >> np.uint64(32)) & mask
+            slot = mixing(mixing(np.int64(low)) ^ np.int64(high)) & mask
             while table[slot] >= 0 and not ((edges[table[slot], 0] == low) & (edges[table[slot], 1] == high)):
                 slot = (slot + 1) & mask
             edge = table[slot]

@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
-from eyeline.jit import kernel
+from eyeline.jit import helper, kernel
+
+WORD = 0xFFFFFFFF  # 32 bits
+MULTIPLIER = 0x5BD1E995  # odd, 31 bits, as many of them set as not
 
 
 def welded(rows: FloatArray | IntArray) -> tuple[IntArray, IntArray]:
@@ -30,16 +33,25 @@ def first_alike(rows: IntArray) -> IntArray:
     return first
 
 
+@helper
+def mixing(number):
+    """A number below 2**32 as another one, all of whose bits depend on all bits: a step of a hash.
+
+    What it multiplies stays below 2**63, so that uncompiled it is the same.
+    """
+    product = number * MULTIPLIER
+    return (product ^ (product >> 29)) & WORD
+
+
 @kernel
 def _first_alike(rows, table, first):
     """Fill first. `table` is a hash table of rows, all -1."""
     mask = table.shape[0] - 1
     for row in range(rows.shape[0]):
-        mixed = np.uint64(0)
+        mixed = 0
         for k in range(rows.shape[1]):
-            mixed = (mixed ^ np.uint64(np.uint32(rows[row, k]))) * np.uint64(0x9E3779B97F4A7C15)
-            mixed ^= mixed >> np.uint64(29)
-        slot = np.int64(mixed >> np.uint64(32)) & mask
+            mixed = mixing(mixed ^ (np.int64(rows[row, k]) & WORD))
+        slot = mixed & mask
         found = False
         while table[slot] >= 0 and not found:
             found = True

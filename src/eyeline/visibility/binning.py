@@ -197,7 +197,9 @@ def emit(
                 blocks = put(band, np.int32(RECORD), np.int64(record), ends, previous, pixels, keys, blocks)
             words = records[WORDS * record : WORDS * (record + 1)]
             for k in range(3):
-                words[k] = (np.int64(at[(2 * k + 1) * CHUNK + j]) << 32) | (np.int64(at[2 * k * CHUNK + j]) & LOW32)
+                words[k] = (np.int64(at[(2 * k + 1) * CHUNK + j]) << 32) | (
+                    np.int64(at[2 * k * CHUNK + j]) & LOW32
+                )
                 words[3 + k] = np.float64(plane[k * CHUNK + j]).view(np.int64)
             words[6] = low_half
             taken += 1
