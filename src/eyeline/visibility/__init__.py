@@ -15,6 +15,7 @@ HOMES = {
     "zbuffer": "ZBuffer",
     "backface": "BackFace",
     "painter": "Painter",
+    "warnock": "Warnock",
     "octree": "Octree",
     "scanline": "ScanLine",
 }  # a method's name, which is its module's, -> its class there

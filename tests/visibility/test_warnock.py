@@ -1,0 +1,150 @@
+"""Area subdivision: the depth buffer's answer, and areas that are the picture."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import oracle
+import soups
+from data import PROJECT
+from eyeline.errors import OptionError
+from eyeline.geometry.fixedpoint import GUARD
+from eyeline.projection.projected import Projected
+from eyeline.visibility import METHODS
+from eyeline.visibility.area_lists import TILE
+from eyeline.visibility.quartering import SMALL
+from eyeline.visibility.warnock import DECISIONS
+
+WARNOCK = METHODS["warnock"]
+SIZE = (150, 97)
+
+PROGRAM = """
+import hashlib
+import soups
+from eyeline.projection import project
+from eyeline.visibility import METHODS
+digest = hashlib.sha256()
+pictures = [soups.snapped(kind, 5, (301, 200), 2000) for kind in soups.SNAPPED]
+pictures += [project(*soups.around_the_eye(seed, 600), (301, 200)) for seed in range(6)]
+for picture in pictures:
+    answer = METHODS["warnock"](picture)
+    digest.update(answer.face.tobytes() + answer.depth.tobytes() + repr(sorted(answer.work.items())).encode())
+    digest.update(answer.areas.rectangles.tobytes() + answer.areas.decision.tobytes())
+print(digest.hexdigest())
+"""
+
+
+def digest_of(threads: str) -> str:
+    path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
+    environment = os.environ | {"PYTHONPATH": path, "EYELINE_THREADS": threads}
+    run = subprocess.run(
+        [sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, check=False
+    )
+    assert run.returncode == 0, run.stderr
+    return run.stdout.strip()
+
+
+def stacked(count: int, size: tuple[int, int], depths) -> Projected:
+    """Faces that each cover the whole picture, at these depths of their corners (count, 3)."""
+    wide = np.array([(-GUARD // 2, -GUARD // 2), (GUARD // 2, -GUARD // 2), (0, GUARD // 2)])
+    xy = np.tile(wide, (count, 1))
+    return soups.picture(
+        xy, np.reshape(depths, -1), np.arange(3 * count).reshape(-1, 3), np.array([3]), size, 0
+    )
+
+
+def test_one_thread_and_many_give_the_same_bytes() -> None:
+    assert len({digest_of(count) for count in ("1", "2", "5")}) == 1
+
+
+@pytest.mark.parametrize("kind", soups.SNAPPED)
+def test_areas_are_the_picture_and_share_no_pixel(kind: str) -> None:
+    answer = WARNOCK(soups.snapped(kind, 4, SIZE))
+    owners = np.zeros(SIZE[::-1], int)
+    for left, top, right, bottom in answer.areas.rectangles:
+        owners[top:bottom, left:right] += 1
+        assert max(right - left, bottom - top) <= TILE
+    assert (owners == 1).all()
+    assert len(answer.areas.face) == answer.work["areas"] - answer.work["areas cut"]
+
+
+@pytest.mark.parametrize("kind", soups.SNAPPED)
+def test_an_area_shows_what_was_decided_for_it(kind: str) -> None:
+    answer = WARNOCK(soups.snapped(kind, 7, SIZE))
+    areas = answer.areas
+    for (left, top, right, bottom), decision, face in zip(
+        areas.rectangles, areas.decision, areas.face, strict=True
+    ):
+        seen = set(np.unique(answer.face[top:bottom, left:right]))
+        if DECISIONS[decision] == "sampled":
+            assert max(right - left, bottom - top) <= SMALL
+            assert face == -1
+        else:
+            assert seen <= {-1, face}
+
+
+def test_a_face_before_everything_leaves_one_area_to_a_tile() -> None:
+    random = np.random.default_rng(0)
+    depths = np.concatenate([[[0.9] * 3], random.uniform(0.1, 0.8, (500, 3))])
+    answer = WARNOCK(stacked(501, (128, 64), depths))
+    assert answer.work["areas"] == 2
+    assert answer.work["hidden"] == 1000
+    assert [DECISIONS[one] for one in answer.areas.decision] == ["surrounded"] * 2
+    assert (answer.face == 0).all()
+
+
+def test_faces_as_deep_as_each_other_are_the_lowest_ones() -> None:
+    answer = WARNOCK(stacked(20000, (128, 64), np.full((20000, 3), 0.5)))
+    assert (answer.face == 0).all()
+    assert answer.work["areas"] == 2
+
+
+def test_depths_that_differ_by_a_rounding_are_decided_as_the_oracle_does() -> None:
+    """Sheets whose planes are a few units of float32 apart, some the other way at the other end."""
+    random = np.random.default_rng(5)
+    near = np.float32(0.5) + random.integers(-3, 4, (60, 3)) * np.float32(2.0**-24)
+    projected = stacked(60, (70, 66), near)
+    face, depth = oracle.seen(projected)
+    answer = WARNOCK(projected)
+    assert np.array_equal(answer.face, face)
+    assert np.array_equal(answer.depth, depth)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (16384, 1), (1, 16384), (16384, 5)])
+def test_the_longest_and_the_smallest_pictures_equal_the_oracle(size: tuple[int, int]) -> None:
+    random = np.random.default_rng(3)
+    xy = np.round(random.uniform(-2000, 18000, (40, 3, 2)) * (256, 256)).reshape(-1, 2)
+    xy[:, np.argmin(size)] = np.round(random.uniform(-30, 40, 120) * 256)
+    projected = soups.picture(
+        xy, random.uniform(0, 1, 120), np.arange(120).reshape(-1, 3), np.array([3]), size, 0
+    )
+    face, depth = oracle.seen(projected)
+    answer = WARNOCK(projected)
+    assert np.array_equal(answer.face, face)
+    assert np.array_equal(answer.depth, depth)
+
+
+def test_no_face_is_all_background() -> None:
+    empty = soups.picture(np.empty((0, 2)), np.empty(0), np.empty((0, 3), int), np.array([3]), (70, 20), 0)
+    answer = WARNOCK(empty)
+    assert (answer.face == -1).all()
+    assert answer.work["areas"] == 2
+    assert (answer.areas.decision == DECISIONS.index("empty")).all()
+
+
+def test_too_many_faces_before_each_other_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    steep = np.random.default_rng(1).uniform(0.1, 0.9, (300, 3)) * (1, 1, 0.1)
+    monkeypatch.setattr("eyeline.visibility.area_lists.MOST_ENTRIES", 3)
+    with pytest.raises(OptionError, match=r"would list [\d,]+ faces.*'zbuffer'"):
+        WARNOCK(stacked(300, (128, 128), steep))
+
+
+def test_too_much_work_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("eyeline.visibility.warnock.MOST_WORK", 100)
+    with pytest.raises(OptionError, match=r"more than 100 times.*'zbuffer'"):
+        WARNOCK(soups.snapped("large", 1, (128, 128)))
