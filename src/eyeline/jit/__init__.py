@@ -9,5 +9,7 @@ from eyeline.jit.kernels import Kernel as Kernel
 from eyeline.jit.kernels import helper as helper
 from eyeline.jit.kernels import kernel as kernel
 from eyeline.jit.kernels import trailing_zeros as trailing_zeros
+from eyeline.jit.sharing import in_parts as in_parts
 from eyeline.jit.sharing import share as share
 from eyeline.jit.sharing import threads as threads
+from eyeline.jit.stack import on_stack as on_stack

@@ -97,3 +97,8 @@ def share(task: Callable[[int], Result], parts: int) -> list[Result]:
     # A part that no thread has begun yet is done here: nobody waits for a core that is busy with other things
     later = [task(part) if one.cancel() else one.result() for part, one in enumerate(rest, 1)]
     return [first, *later]
+
+
+def in_parts(parts: int, kernel: Callable[..., Result], *arguments: object) -> list[Result]:
+    """`kernel(part, parts, *arguments)` of every part, side by side."""
+    return share(lambda part: kernel(part, parts, *arguments), parts)

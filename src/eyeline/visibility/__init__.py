@@ -18,6 +18,7 @@ HOMES = {
     "warnock": "Warnock",
     "octree": "Octree",
     "scanline": "ScanLine",
+    "raycast": "RayCast",
 }  # a method's name, which is its module's, -> its class there
 
 __all__ = ["METHODS", "Area", "Method", "Step", "Visible", "method_named", "visible_of"]
