@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray
-from eyeline.jit import helper, in_parts, kernel
+from eyeline.geometry.bounds import Bounds
+from eyeline.jit import helper, in_parts, kernel, share
 
 AXIS_BITS = 21  # of a code for each of three axes, where the face's number leaves so many
 FULL = 8  # faces a leaf may hold
@@ -22,15 +23,26 @@ def sorted_keys(points: FloatArray, faces: IntArray, parts: int) -> tuple[IntArr
     """
     count = len(faces) // 3
     bits = max(1, (count - 1).bit_length())
-    columns = points.reshape(-1, 3)
-    low, high = columns.min(axis=0).astype(np.float64), columns.max(axis=0).astype(np.float64)
+    bounds = Bounds.of(points.reshape(-1, 3))
     cells = 2.0 ** min(AXIS_BITS, (64 - bits) // 3) - 1
-    longest = float((high - low).max())
+    longest = float((bounds.high - bounds.low).max())
     scale = cells / longest if longest > 0 else 0.0
     keys = np.empty(count, np.uint64)
-    in_parts(parts, fill_keys, points, faces, tuple(low.tolist()), scale, bits, keys)
-    keys.sort()
-    return keys, bits
+    in_parts(parts, fill_keys, points, faces, tuple(bounds.low.tolist()), scale, bits, keys)
+    return sorted_by_parts(keys, parts), bits
+
+
+def sorted_by_parts(keys: IntArray, parts: int) -> IntArray:
+    """Keys in order: each thread sorts some of them, and then they are merged two by two, by all threads."""
+    cuts = [len(keys) * part // parts for part in range(parts + 1)]
+    share(lambda part: keys[cuts[part] : cuts[part + 1]].sort(), parts)
+    other = np.empty_like(keys) if parts > 1 else keys
+    while len(cuts) > 2:
+        for first, middle, end in zip(cuts[0:-1:2], cuts[1::2], [*cuts[2::2], cuts[-1]], strict=False):
+            in_parts(parts, merge_keys, keys[first:middle], keys[middle:end], other[first:end])
+        keys, other = other, keys
+        cuts = [*cuts[:-1:2], cuts[-1]]
+    return keys
 
 
 def leaf_starts(keys: IntArray, parts: int) -> IntArray:
@@ -52,6 +64,28 @@ def fill_keys(part, parts, points, faces, low, scale, bits, keys):
             twice = np.float64(min(x, min(y, z))) + np.float64(max(x, max(y, z)))
             code |= spread(np.uint64((twice * 0.5 - low[axis]) * scale)) << np.uint64(2 - axis)
         keys[i] = (code << np.uint64(bits)) | np.uint64(i)
+
+
+@kernel
+def merge_keys(part, parts, left, right, merged):
+    """Fill one part of `merged` from two sorted rows whose keys are all different."""
+    begin, end = merged.shape[0] * part // parts, merged.shape[0] * (part + 1) // parts
+    # How many of the first `begin` keys stand in the left row
+    low, high = max(0, begin - right.shape[0]), min(begin, left.shape[0])
+    while low < high:
+        middle = (low + high) >> 1
+        if left[middle] < right[begin - middle - 1]:
+            low = middle + 1
+        else:
+            high = middle
+    i, j = low, begin - low
+    for at in range(begin, end):
+        if j >= right.shape[0] or (i < left.shape[0] and left[i] < right[j]):
+            merged[at] = left[i]
+            i += 1
+        else:
+            merged[at] = right[j]
+            j += 1
 
 
 @helper

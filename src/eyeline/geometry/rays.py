@@ -30,23 +30,31 @@ class Hits(NamedTuple):
     length: FloatArray  # (K,) float32, in lengths of the ray's direction; inf is nothing
 
 
-def first_hits(tree: Bvh, origins: FloatArray, directions: FloatArray) -> Hits:
-    """The first face that each ray meets; origins and directions (K, 3), of any length but 0."""
-    return cast(tree, origins, directions, np.full(len(origins), INFINITE), False)
+def first_hits(tree: Bvh, origins: FloatArray, directions: FloatArray, parts: int = 0) -> Hits:
+    """The first face that each ray meets; origins and directions (K, 3), of any length but 0.
+
+    parts: how many threads cast; 0 are all of them. Whoever is one of many takes 1.
+    """
+    return cast(tree, (origins, directions), np.full(len(origins), INFINITE), False, parts)
 
 
-def blocked(tree: Bvh, origins: FloatArray, directions: FloatArray, reach: FloatArray) -> BoolArray:
-    """(K,) whether rays meet any face within `reach` (K,) lengths of their directions."""
-    return cast(tree, origins, directions, reach, True).face >= 0
+def blocked(
+    tree: Bvh, origins: FloatArray, directions: FloatArray, reach: FloatArray, parts: int = 0
+) -> BoolArray:
+    """(K,) whether rays meet any face within `reach` (K,) lengths of their directions; below 0 none is."""
+    return cast(tree, (origins, directions), reach, True, parts).face >= 0
 
 
-def cast(tree: Bvh, origins: FloatArray, directions: FloatArray, reach: FloatArray, any_hit: bool) -> Hits:
+def cast(
+    tree: Bvh, rays: tuple[FloatArray, FloatArray], reach: FloatArray, any_hit: bool, parts: int
+) -> Hits:
     """What rays meet within their reach: the first face, or, where any will do, whichever was found."""
-    count = len(origins)
+    count = len(reach)
     face, length = np.full(count, -1, np.int32), np.array(reach, np.float32)
-    rays = [read_only(np.ascontiguousarray(one, np.float32)) for one in (origins, directions)]
+    given = [read_only(np.ascontiguousarray(one, np.float32)) for one in rays]
     if len(tree.nodes):
-        in_parts(threads() if count > CHUNK else 1, cast_rays, tree, *rays, any_hit, face, length)
+        parts = parts or (threads() if count > CHUNK else 1)
+        in_parts(parts, cast_rays, tree, *given, any_hit, face, length)
     length[face < 0] = INFINITE
     return Hits(face, length)
 

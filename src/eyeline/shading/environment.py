@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
-from eyeline.jit import kernel
+from eyeline.jit import helper, kernel
 from eyeline.shading.lanes import (
     BLUE,
     GREEN,
@@ -45,6 +45,40 @@ def environment(ceiling: FloatArray, floor: FloatArray, box: FloatArray, box_axi
     return np.concatenate([ceiling, floor, box, box_axis]).astype(np.float32)
 
 
+@helper
+def split_sum(to_eye, roughness):
+    """Scale and offset of the colour seen straight on: what a mirror throws back of an even light."""
+    # exp2(-9.28 x) is exp2(-0.58 x) squared four times, and that is nearly a cubic
+    power = ONE + to_eye * (
+        np.float32(-0.40203) + to_eye * (np.float32(0.08081) - to_eye * np.float32(0.0098))
+    )
+    power *= power
+    power *= power
+    power *= power
+    power *= power
+    smooth = ONE - roughness
+    a = min(smooth * smooth, power) * smooth + np.float32(0.0425) - np.float32(0.0275) * roughness
+    scale = np.float32(-1.04) * a + np.float32(1.04) - np.float32(0.572) * roughness
+    return scale, np.float32(1.04) * a + np.float32(0.022) * roughness - np.float32(0.04)
+
+
+@helper
+def mirrored(upward, to_box, roughness):
+    """How much of the ceiling, and of the box, a mirror of this roughness sees; cosines of its ray."""
+    horizon = HORIZON + HORIZON_BLUR * roughness
+    up = min(max(HALF + HALF * upward / horizon, ZERO), ONE)
+    up = up * up * (np.float32(3) - TWO * up)
+    rim = RIM + RIM_BLUR * roughness
+    box = min(max(HALF + HALF * (to_box - BOX_COSINE) / rim, ZERO), ONE)
+    return up, box * box * (np.float32(3) - TWO * box) * (ONE - np.float32(0.75) * roughness)
+
+
+@helper
+def open_to_mirror(to_eye, open_part):
+    """How much of what a mirror sees creases leave open, by what they leave of the hemisphere. [Lagarde14]"""
+    return min(max((to_eye + open_part) * (to_eye + open_part) - ONE + open_part, ZERO), ONE)
+
+
 @kernel
 def add_environment(lanes, count, parts):
     """Begin the light that leaves with what the surroundings give."""
@@ -59,31 +93,13 @@ def add_environment(lanes, count, parts):
         rx, ry, rz = TWO * facing * nx - vx, TWO * facing * ny - vy, TWO * facing * nz - vz
         to_eye = min(max(facing, ZERO), ONE)
         roughness = lanes[ROUGHNESS, i]
-        # Second factor of the split sum: scale and offset of the colour seen straight on.
-        # exp2(-9.28 x) is exp2(-0.58 x) squared four times, and that is nearly a cubic
-        power = ONE + to_eye * (
-            np.float32(-0.40203) + to_eye * (np.float32(0.08081) - to_eye * np.float32(0.0098))
-        )
-        power *= power
-        power *= power
-        power *= power
-        power *= power
-        smooth = ONE - roughness
-        a = min(smooth * smooth, power) * smooth + np.float32(0.0425) - np.float32(0.0275) * roughness
-        scale = np.float32(-1.04) * a + np.float32(1.04) - np.float32(0.572) * roughness
-        offset = np.float32(1.04) * a + np.float32(0.022) * roughness - np.float32(0.04)
+        scale, offset = split_sum(to_eye, roughness)
         # For each part of a white mirror's light that leaves after one bounce, what leaves after several
         bounced = ONE / (scale + offset) - ONE
-        # What a mirror of this roughness sees
-        horizon = HORIZON + HORIZON_BLUR * roughness
-        up = min(max(HALF + HALF * ry / horizon, ZERO), ONE)
-        up = up * up * (np.float32(3) - TWO * up)
-        rim = RIM + RIM_BLUR * roughness
-        box = min(max(HALF + HALF * (rx * bx + ry * by + rz * bz - BOX_COSINE) / rim, ZERO), ONE)
-        box = box * box * (np.float32(3) - TWO * box) * (ONE - np.float32(0.75) * roughness)
-        # How much of it creases leave open, for the hemisphere and for the mirror [Lagarde14]
+        up, box = mirrored(ry, rx * bx + ry * by + rz * bz, roughness)
+        # How much of it creases leave open
         open_part = lanes[OCCLUSION, i] * lanes[OPEN, i]
-        open_mirror = min(max((to_eye + open_part) * (to_eye + open_part) - ONE + open_part, ZERO), ONE)
+        open_mirror = open_to_mirror(to_eye, open_part)
         half_up = (HALF + HALF * ny) * open_part
         half_down = (HALF - HALF * ny) * open_part
         half_box = max(HALF + HALF * (nx * bx + ny * by + nz * bz), ZERO)

@@ -2,28 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from eyeline.geometry.arrays import ByteArray
+from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.jit import kernel
 from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded
 from eyeline.shading.lanes import COLUMN, GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, SPARE, TILE, X, Y, Z
 from eyeline.shading.openness import look_up
+from eyeline.shading.region import Region
 from eyeline.shading.shadow import arrive
 
 if TYPE_CHECKING:
     from eyeline.shading.frame import Strip
     from eyeline.shading.stage import Stage
 
+Light = Callable[[FloatArray, int], None]
+
 KEY_PART = np.float32(0.40)  # of the floor's light comes from the key; the rest from all around
 ZERO, ONE = np.float32(0), np.float32(1)
 
 
 def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
-    """(rows, W, 4) the backdrop with the floor's shadows on it."""
-    floor, region = strip.frame.floor, stage.region
+    """(rows, W, 4) the backdrop with the floor's shadows on it, by maps."""
+
+    def light(lanes: FloatArray, count: int) -> None:
+        arrive(lanes, count, stage.shadows, stage.lights, 0)
+        look_up(lanes, count, stage.openness)
+
+    return darkened_backdrop(strip, stage.region, light)
+
+
+def darkened_backdrop(strip: Strip, region: Region, light: Light) -> ByteArray:
+    """(rows, W, 4) the backdrop, darker where `light` says that less arrives on the floor in a region.
+
+    light(lanes, count) fills LIT and OPEN of places on the floor.
+    """
+    floor = strip.frame.floor
     top, bottom = max(strip.top, region.top), min(strip.bottom, region.bottom)
     if floor is None or top >= bottom or region.width == 0:
         return strip.backdrop
@@ -44,8 +61,7 @@ def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
                 strip.top,
                 shaded.shape[1],
             )
-            arrive(lanes, count, stage.shadows, stage.lights, 0)
-            look_up(lanes, count, stage.openness)
+            light(lanes, count)
             darken(shaded, lanes, pixels, count, strip.top, (ENCODED, DECODED, DITHER))
     return shaded
 

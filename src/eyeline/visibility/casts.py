@@ -30,7 +30,7 @@ class Cast(NamedTuple):
     tree: Bvh
     view: FloatArray  # (12,) float64: x w, y w and distance of the mesh's points, pixel (c, r) at c, r
     place: Place
-    nearest: float  # metres to its box
+    nearest: float  # metres along the view; nothing of it is nearer
 
 
 def tree_of(mesh: Mesh) -> Bvh:
@@ -97,4 +97,5 @@ def placed(projected: Projected, tree: Bvh, view: FloatArray, first_face: int) -
                 return None
             bounds[axis] = int(low), int(high)
     place = first_face, *bounds[0], *bounds[1]
-    return Cast(tree, view.reshape(-1), place, float(distance.min()))
+    nearest = np.nextafter(np.float32(distance.min()), np.float32(-np.inf))
+    return Cast(tree, view.reshape(-1), place, float(nearest))

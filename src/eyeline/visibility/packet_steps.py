@@ -82,7 +82,8 @@ class Packet:
         """From the root down, the nearest box first."""
         height, width = self.sight.face.shape
         every = Range(0, min(TILE, width - self.left) - 1, 0, min(TILE, height - self.top) - 1)
-        waiting = [Waiting(np.float32(self.sight.lens[2]), 0, every)]
+        nearest = max(np.float32(self.sight.lens[2]), np.float32(self.cast.nearest))
+        waiting = [Waiting(nearest, 0, every)]
         while waiting:
             here = waiting.pop()
             left, top, right, bottom = self.rectangle(here.pixels)

@@ -82,12 +82,13 @@ def aim(tree, view, w0, w1, middle_x, middle_y, row, size, pad):
 
 
 @kernel
-def trace_tiles(part, parts, tree, view, lens, place, sides, distance, face, counts):
+def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distance, face, counts):
     """Trace the rays of every `parts`-th tile against one tree, after what was hit before.
 
     view: (12,) float64, rows x w, y w and distance of a point: pixel (c, r) sees along x = c, y = r.
     lens: (w0, w1) with w = w0 + w1 distance, and the nearest and farthest distance that counts.
-    place: the tree's first face, and the first and last column and row of tiles it may be seen in.
+    place: the tree's first face, and the first and last column and row of tiles it may be seen in;
+    nearest_box: no point of it is nearer.
     distance (H, W) float32, inf where nothing was hit, face (H, W) int32; counts (4,) int64.
     """
     nodes, children, leaves, numbers = tree.nodes, tree.children, tree.leaves, tree.numbers
@@ -115,7 +116,8 @@ def trace_tiles(part, parts, tree, view, lens, place, sides, distance, face, cou
         take_tile(x_begin, y_begin, columns, rows, distance, face, own_distance, own_face)
         middle_x, middle_y = x_begin + (TILE - 1) / 2, y_begin + (TILE - 1) / 2
         aim(tree, view, w0, w1, middle_x, middle_y, row, size, pad)
-        keys[0], items[0], ranges[0], waiting = near, 0, np.int32((columns - 1) << 8 | (rows - 1) << 24), 1
+        keys[0], items[0] = max(near, np.float32(nearest_box)), 0
+        ranges[0], waiting = np.int32((columns - 1) << 8 | (rows - 1) << 24), 1
         while waiting > 0:
             waiting -= 1
             key, item, packed = keys[waiting], items[waiting], ranges[waiting]
@@ -194,7 +196,7 @@ def trace_tiles(part, parts, tree, view, lens, place, sides, distance, face, cou
                 pixels[j] = whole if d_low < near else (NOWHERE if (a > b) | (c > f) else own)
             for j in range(LANES):
                 number, packed = first_face + numbers[leaf, NUMBER, j], pixels[j]
-                shown = sides[min(number, last_side)] if number >= first_face else sides[0] & 0
+                shown = sides[min(number, last_side)] if number >= first_face else np.uint8(0)
                 if (packed == NOWHERE) | (shown == 0):
                     continue
                 counts[FACES] += 1

@@ -45,9 +45,8 @@ class RayCast:
 
         def trace(part: int) -> None:
             for one in casts:
-                trace_tiles(
-                    part, parts, one.tree, one.view, lens, one.place, sides, distance, face, counts[part]
-                )
+                rays = one.tree, one.view, lens, one.place, one.nearest
+                trace_tiles(part, parts, *rays, sides, distance, face, counts[part])
 
         share(trace, parts)
         depth = distance.reshape(-1)
