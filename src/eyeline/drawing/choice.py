@@ -9,9 +9,9 @@ import numpy as np
 from eyeline.drawing.grid import turn
 from eyeline.drawing.kinds import BOUNDARY, CREASE, KINDS, MESH, OUTLINE
 from eyeline.drawing.model import Model
-from eyeline.drawing.topology import BRANCHING, TWISTED
 from eyeline.geometry.arrays import ByteArray, IntArray, read_only
 from eyeline.jit import helper, kernel, share, threads
+from eyeline.scene.topology import BRANCHING, TWISTED
 
 SMALL = 1 << 14  # faces: fewer are not worth a second thread
 

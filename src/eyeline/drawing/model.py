@@ -8,7 +8,6 @@ import numpy as np
 
 from eyeline.cached import cached_property
 from eyeline.drawing.grid import Grid
-from eyeline.drawing.topology import Topology, topology_of
 from eyeline.errors import GeometryError
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
@@ -16,6 +15,7 @@ from eyeline.projection.sides import sides_of
 from eyeline.scene.camera import Camera
 from eyeline.scene.scene import Scene
 from eyeline.scene.surface import Surface
+from eyeline.scene.topology import Topology, topology_of
 
 
 @dataclass(frozen=True, eq=False)
