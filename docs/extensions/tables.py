@@ -38,11 +38,14 @@ class Written(SphinxDirective):
         return self.parse_text_to_nodes(text, allow_section_headings=True)
 
 
+OTHERS = {"backface": "which faces may be seen", "roberts": "which parts of edges are seen"}
+
+
 def methods(_: str) -> str:
     """Every visible-surface method: where it decides and what it answers."""
     lines = ["| method | decides in | answers | |", "|---|---|---|---|"]
     for name, method in eyeline.METHODS.items():
-        answer = "what is seen at every pixel" if method.answers else "which faces may be seen"
+        answer = "what is seen at every pixel" if method.answers else OTHERS[name]
         lines.append(f"| [{name}](/methods/{name}.md) | {method.space} space | {answer} | {idea(method)} |")
     return "\n".join(lines)
 

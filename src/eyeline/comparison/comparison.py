@@ -17,7 +17,7 @@ from eyeline.projection.project import checked_size
 from eyeline.projection.projected import Projected
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 from eyeline.scene.scene import Scene, suggestion
-from eyeline.visibility import METHODS
+from eyeline.visibility import METHODS, visible_of
 from eyeline.visibility.method import Visible
 
 SIZE = (1280, 720)
@@ -54,7 +54,7 @@ def compare(
         trials.append(tried(METHODS[name], projected))
         if progress:
             progress(done + 1, steps)
-    judge = judge_of(posed, projected, cull, METHODS["zbuffer"](projected))
+    judge = judge_of(posed, projected, cull, visible_of(projected))
     ladders: list[Ladder] = []
     if ladder:
         answering = [trial.method for trial in trials if not trial.refusal]

@@ -42,9 +42,9 @@ def picture(posed: Scene, camera: Camera, shot: Shot) -> Image:
     from eyeline.render.image import Image
     from eyeline.shading import STYLES, shade
     from eyeline.shading.cutout import see
-    from eyeline.visibility import METHODS
+    from eyeline.visibility import method_named
 
     projected = project(posed, camera, shot.size, shot.cull)
-    method, shifts = METHODS[shot.method], sample_positions(shot.samples)
+    method, shifts = method_named(shot.method), sample_positions(shot.samples)
     visibles = see(posed, projected, method, shifts, see_through=STYLES[shot.look.style].see_through)
     return Image(shade(posed, projected, visibles, shot.look))

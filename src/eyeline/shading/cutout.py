@@ -22,7 +22,7 @@ from eyeline.shading.lanes import COVER
 from eyeline.shading.look import Look
 from eyeline.shading.surface_points import GRID, SurfacePoints
 from eyeline.visibility.fragments import Fragments, fragments
-from eyeline.visibility.method import Method, Step, Visible
+from eyeline.visibility.method import PixelMethod, Step, Visible
 
 CHUNK = 1 << 15  # fragments whose texture is looked up together
 
@@ -32,7 +32,7 @@ Shift = tuple[int, int]  # of a sample beside its pixel's centre, 1/256 pixel
 def see(
     scene: Scene,
     projected: Projected,
-    method: Method,
+    method: PixelMethod,
     shifts: Sequence[Shift] = ((0, 0),),
     *,
     see_through: bool = False,
@@ -53,7 +53,7 @@ def see(
 class CutOut:
     """A method that sees through holes: another one, and the picture whose textures say where they are."""
 
-    method: Method
+    method: PixelMethod
     frame: Frame
 
     @property

@@ -4,24 +4,37 @@ from __future__ import annotations
 
 import importlib
 from collections.abc import Iterator, Mapping
+from typing import cast
 
 from eyeline.errors import OptionError
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import suggestion
 from eyeline.visibility.area import Area
-from eyeline.visibility.method import Method, Step, Visible
+from eyeline.visibility.method import Method, PixelMethod, Step, Visible
+from eyeline.visibility.visible_edges import VisibleEdges
 
 HOMES = {
     "zbuffer": "ZBuffer",
     "backface": "BackFace",
     "painter": "Painter",
+    "roberts": "Roberts",
     "warnock": "Warnock",
     "octree": "Octree",
     "scanline": "ScanLine",
     "raycast": "RayCast",
 }  # a method's name, which is its module's, -> its class there
 
-__all__ = ["METHODS", "Area", "Method", "Step", "Visible", "method_named", "visible_of"]
+__all__ = [
+    "METHODS",
+    "Area",
+    "Method",
+    "PixelMethod",
+    "Step",
+    "Visible",
+    "VisibleEdges",
+    "method_named",
+    "visible_of",
+]
 
 
 class MethodTable(Mapping[str, Method]):
@@ -48,12 +61,12 @@ class MethodTable(Mapping[str, Method]):
 METHODS: Mapping[str, Method] = MethodTable(HOMES)
 
 
-def method_named(name: str) -> Method:
-    """The method of this name, if it answers alone."""
+def method_named(name: str) -> PixelMethod:
+    """The method of this name, if it answers every pixel of every scene."""
     if name not in METHODS or not METHODS[name].answers:
         answering = [one for one, method in METHODS.items() if method.answers]
         raise OptionError(f"there is no method {name!r} that answers alone{suggestion(name, answering)}")
-    return METHODS[name]
+    return cast(PixelMethod, METHODS[name])
 
 
 def visible_of(projected: Projected, method: str = "zbuffer") -> Visible:

@@ -16,6 +16,7 @@ from eyeline.scene.scene import Scene
 
 if TYPE_CHECKING:
     from eyeline.visibility.area import Area
+    from eyeline.visibility.visible_edges import VisibleEdges
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,8 @@ class Step:
     face, faces: scene faces it is about; pixels: [(x, y), ...] where `face` is the nearest so far;
     tested: [(x, y), ...] where it was compared; rectangle, rectangles: (left, top, right, bottom);
     polygon, polygons: (N, 2) corners; segments: (N, 2, 2); hidden: (N, 2, 2) segments not seen;
-    verdict: "kept", "dropped" or "split". The last step is "done": its face and depth are (H, W), the answer.
+    verdict: "kept", "dropped" or "split". The last step is "done" and holds the answer: face and depth
+    (H, W), or segments and hidden.
     """
 
     kind: str
@@ -48,7 +50,7 @@ class Method(Protocol):
 
     @property
     def answers(self) -> bool:
-        """Whether it answers every scene alone, or only filters faces for others."""
+        """Whether it answers the pixels of every scene alone: then it is a PixelMethod."""
 
     @property
     def exact(self) -> bool:
@@ -57,11 +59,18 @@ class Method(Protocol):
         Exact methods agree bit for bit; others agree wherever rounding cannot matter.
         """
 
-    def __call__(self, projected: Projected) -> Visible:
-        """What is seen at every pixel."""
+    def __call__(self, projected: Projected) -> Visible | VisibleEdges:
+        """What is seen: the face at every pixel, or the parts of edges."""
 
     def steps(self, projected: Projected) -> Iterator[Step]:
         """The same decisions one by one, for reading: plain Python, small scenes."""
+
+
+class PixelMethod(Method, Protocol):
+    """A method that answers the pixels of every scene."""
+
+    def __call__(self, projected: Projected) -> Visible:
+        """What is seen at every pixel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,7 +80,7 @@ class Visible:
     face: IntArray  # (H, W) int32: scene face; -1 is background
     depth: FloatArray  # (H, W) float32, reversed; 0 is background
     projected: Projected
-    method: Method
+    method: PixelMethod
     work: Mapping[str, int]  # counters
     scene: Scene | None = None  # for node names
 
