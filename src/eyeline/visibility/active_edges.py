@@ -99,7 +99,8 @@ def crossing(x0, y0, x1, y1, y):
     """
     a, b = y0 - y1, x1 - x0
     e = a * (CENTRE - x0) + b * (UNITS * y + CENTRE - y0) + edge_bias(a, b)
-    return np.float64(e) + 0.5, np.float64(UNITS * b), 1.0 / np.float64(UNITS * abs(a))
+    # A level edge crosses no row
+    return np.float64(e) + 0.5, np.float64(UNITS * b), 1.0 / np.float64(UNITS * max(abs(a), 1))
 
 
 @helper
