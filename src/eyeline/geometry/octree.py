@@ -1,7 +1,8 @@
 """Octrees over faces: nodes as tight as what they hold, leaves whose vertices stand together. [Greene93]
 
 A face belongs to the octant that holds its middle, and a node's box reaches around all of its faces, so that
-none is cut and none stands twice. Faces are sorted along Morton's curve, where every node is a range of them. [Morton66]
+none is cut and none stands twice. Faces are sorted along Morton's curve, where every node is a range of them.
+[Morton66]
 """
 
 from __future__ import annotations

@@ -7,25 +7,26 @@ every loop over eight lanes, at more cost than the loop's.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
-from eyeline.jit.kernels import Kernel
+from eyeline.jit.kernels import INTERPRETED, Helper
 
 
-class Instruction(Kernel):
-    """A function with code of its own in kernels; uncompiled, the function itself."""
+class Instruction(Helper):
+    """A function with code of its own in kernels."""
 
     def __init__(self, function: Callable[..., Any], lowering: Callable[[], Callable[..., Any]]) -> None:
         super().__init__(function, {})
         self._lowering = lowering
 
-    def _compile(self) -> Callable[..., Any]:
-        import numba
-
-        return self.function if numba.config.DISABLE_JIT else self._lowering()
+    @cached_property
+    def for_kernels(self) -> Callable[..., Any]:
+        """What Numba finds under its name in the globals of a kernel."""
+        return self._lowering()
 
 
 def _on_stack(kind: type, count: int) -> npt.NDArray[Any]:
@@ -62,4 +63,7 @@ def _lower_on_stack() -> Callable[..., Any]:
     return cast(Callable[..., Any], intrinsic(prefer_literal=True)(lower))
 
 
-on_stack = cast(Callable[[type, int], npt.NDArray[Any]], Instruction(_on_stack, _lower_on_stack))
+on_stack = cast(
+    Callable[[type, int], npt.NDArray[Any]],
+    _on_stack if INTERPRETED else Instruction(_on_stack, _lower_on_stack),
+)
