@@ -123,4 +123,4 @@ def test_compare_measures_the_methods_that_are_named(
     assert [row["method"] for row in found["methods"]] == ["zbuffer", "backface"]
     assert found["judge"] == "oracle"
     with PIL.Image.open(path) as sheet:
-        assert sheet.size[0] == 1680
+        assert sheet.size[0] == 1780

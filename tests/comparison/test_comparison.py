@@ -139,7 +139,7 @@ def test_every_kind_of_file_is_written(suffix: str, tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == [path]
     if suffix == ".png":
         with PIL.Image.open(path) as sheet:
-            assert sheet.size[0] == 1680
+            assert sheet.size[0] == 1780
     if suffix == ".json":
         rows = json.loads(path.read_text())["methods"]
         assert [row["method"] for row in rows] == ["zbuffer", "backface"]

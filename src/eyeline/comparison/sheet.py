@@ -18,11 +18,11 @@ from eyeline.comparison.thumbnails import HEIGHT, WIDTH, answer_picture, colours
 from eyeline.render.image import Image
 
 PAPER, STAGE, INK, FAINT, GOOD, BAD = "#f7f5f0", "#ffffff", "#22252b", "#6c717b", "#1f8a4c", "#c2342b"
-WIDE, MARGIN, HEAD, GAP = 1680, 28, 112, 14  # pixels
-COLUMNS = (0, 110, 262, 372, 496, 770)  # of the headings, from where the text begins
+WIDE, MARGIN, HEAD, GAP = 1780, 28, 112, 14  # pixels
+COLUMNS = (0, 104, 246, 346, 452, 712)  # of the headings, from where the text begins
 TEXT, SMALL, TITLE = 18, 15, 26
 LINE = 22
-WORK_LINES = 6
+WORK_LINES, WORK_COLUMN = 5, 232  # of the counters: rows, and pixels from one column to the next
 REFUSAL = 42  # characters of a line
 
 
@@ -65,16 +65,21 @@ def write(draw: PIL.ImageDraw.ImageDraw, row: Row, left: int, top: int) -> None:
         lines = row.agreement
     verdict = FAINT if row.agrees is None else GOOD if row.agrees else BAD
     cells = (
-        ((row.method,), INK), (row.time, INK), ((row.first,), INK), ((row.memory,), INK),
-        (lines, verdict), (row.work[:WORK_LINES], FAINT),
-    )  # fmt: skip
-    for (words, colour), column in zip(cells, COLUMNS, strict=True):
-        for number, line in enumerate(words):
-            first = number == 0 and column < COLUMNS[-1]
-            draw.text(
-                (left + column, top + LINE * number + (0 if first else 2)),
-                line, colour if first or column >= COLUMNS[-2] else FAINT, type_of(TEXT if first else SMALL),
-            )  # fmt: skip
+        ((row.method,), INK),
+        (row.time, INK),
+        ((row.first,), INK),
+        ((row.memory,), INK),
+        (lines, verdict),
+    )
+    for number, (words, colour) in enumerate(cells):
+        for place, line in enumerate(words):
+            shade = colour if place == 0 or number == len(cells) - 1 else FAINT
+            at = left + COLUMNS[number], top + LINE * place + 2 * (place > 0)
+            draw.text(at, line, shade, type_of(SMALL if place else TEXT))
+    for place, line in enumerate(row.work[: 2 * WORK_LINES]):
+        column, below = divmod(place, WORK_LINES)
+        at = left + COLUMNS[-1] + column * WORK_COLUMN, top + 2 + LINE * below
+        draw.text(at, line, FAINT, type_of(SMALL))
     draw.text((left, top + LINE + 2), row.space, FAINT, type_of(SMALL))
 
 
