@@ -46,7 +46,7 @@ constraints: $(VENV)/.installed-docs $(VENV)/.installed-bench
 	mv constraints.new constraints.txt
 
 clean:
-	rm -rf demo build dist docs/_build docs/gallery docs/api .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf demo build dist docs/_build docs/gallery docs/methods/steps docs/api .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find src tests examples benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +
 
 # --- what is installed ------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ extensions = [
     "sphinx.ext.autodoc",
     "sphinx_gallery.gen_gallery",
     "extensions.docstrings",
+    "extensions.explained",
     "extensions.tables",
 ]
 exclude_patterns = [

@@ -69,6 +69,11 @@ def test_the_bibliography_can_be_linked_to() -> None:
 
 
 @pytest.mark.parametrize("name", el.METHODS)
+def test_the_page_of_a_method_shows_it_at_work(name: str) -> None:
+    assert f"](steps/{name}.svg)" in (DOCS / "methods" / f"{name}.md").read_text()
+
+
+@pytest.mark.parametrize("name", el.METHODS)
 def test_every_method_has_a_page_of_its_name(name: str) -> None:
     assert (DOCS / "methods" / f"{name}.md").read_text().startswith(f"# {name}: ")
 
