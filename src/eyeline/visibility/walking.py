@@ -21,6 +21,8 @@ from eyeline.jit import helper, kernel
 from eyeline.visibility.outlook import DEEP, box_of, matrix_of, outlook, place_leaf
 from eyeline.visibility.pyramid import CELLS, NEAREST, TILE, TILE_BITS, hides, key_of, refresh
 
+WIDE = 8  # pixels of a row from which it is drawn without branches
+UNIT_BITS = 8  # UNITS = 1 << UNIT_BITS
 VISITED, HIDDEN, DRAWN, TESTS, COUNTERS = range(5)
 
 
@@ -43,22 +45,30 @@ def walk_tiles(part, parts, picture, grid, meshes, depth_bits, face, work):
         for grove in (grid, meshes):
             walk(grove, picture, at, keys, pyramid, stack, spots, depths, work)
         for y in range(top, bottom):
-            row = (y - top) << TILE_BITS
-            for x in range(left, right):
-                key = keys[row + x - left]
-                bits = np.int32(key >> 32)
-                depth_bits[y * width + x] = bits
-                face[y * width + x] = ~np.int32(key) if bits != 0 else np.int32(-1)
+            begin, row = y * width + left, (y - top) << TILE_BITS
+            end = begin + right - left
+            finish(keys[row : row + TILE], depth_bits[begin:end], face[begin:end])
 
 
 @helper
 def clear(keys, pyramid, width, height):
     """Nothing in the picture's part of a tile; beside it what nothing hides."""
-    keys[:] = NEAREST
-    for y in range(height):
-        keys[y << TILE_BITS : (y << TILE_BITS) + width] = 0
+    keys[:] = 0
     pyramid[:] = 0
+    if width == TILE and height == TILE:
+        return
+    for y in range(TILE):
+        keys[(y << TILE_BITS) + (width if y < height else 0) : (y + 1) << TILE_BITS] = NEAREST
     refresh(pyramid, keys, 0, 0, TILE - 1, TILE - 1)
+
+
+@helper
+def finish(keys, depth_bits, face):
+    """Split keys into depth and face; a key of depth 0 is nothing, as far as the back."""
+    for i in range(face.shape[0]):
+        bits = np.int32(keys[i] >> 32)
+        depth_bits[i] = bits
+        face[i] = ~np.int32(keys[i]) if bits != 0 else np.int32(-1)
 
 
 @helper
@@ -160,16 +170,42 @@ def draw_leaf(forest, standing, node, first, tile, keys, spots, depths, work):
             edge_at(bx, by, cx, cy, px, py),
             edge_at(cx, cy, ax, ay, px, py),
         )
+        a0, a1, a2 = (ay - by) << UNIT_BITS, (by - cy) << UNIT_BITS, (cy - ay) << UNIT_BITS
         for y in range(y0, y1 + 1):
-            f0, f1, f2 = e0, e1, e2
             row = ((y - top) << TILE_BITS) - left
-            for x in range(x0, x1 + 1):
-                if (f0 | f1 | f2) >= 0:
-                    key = key_of(depth_at(a, b, c, np.int32(x), y), number)
-                    keys[row + x] = max(keys[row + x], key)
-                    work[TESTS] += 1
-                f0, f1, f2 = f0 + ((ay - by) << 8), f1 + ((by - cy) << 8), f2 + ((cy - ay) << 8)
-            e0, e1, e2 = e0 + ((bx - ax) << 8), e1 + ((cx - bx) << 8), e2 + ((ax - cx) << 8)
+            if x1 - x0 >= WIDE:
+                work[TESTS] += draw_row(
+                    keys[row + x0 : row + x1 + 1], (e0, e1, e2), (a0, a1, a2), (a, b, c), x0, y, number
+                )
+            else:
+                f0, f1, f2 = e0, e1, e2
+                for x in range(x0, x1 + 1):
+                    if (f0 | f1 | f2) >= 0:
+                        key = key_of(depth_at(a, b, c, np.int32(x), y), number)
+                        keys[row + x] = max(keys[row + x], key)
+                        work[TESTS] += 1
+                    f0, f1, f2 = f0 + a0, f1 + a1, f2 + a2
+            e0, e1, e2 = (
+                e0 + ((bx - ax) << UNIT_BITS),
+                e1 + ((cx - bx) << UNIT_BITS),
+                e2 + ((ax - cx) << UNIT_BITS),
+            )
+
+
+@helper
+def draw_row(keys, edges, steps, plane, first, y, number):
+    """Let a face fall on a row from its pixel `first` on, without branches; how many pixels it covers."""
+    e0, e1, e2 = edges
+    a0, a1, a2 = steps
+    a, b, c = plane
+    pixels = 0
+    for i in range(keys.shape[0]):
+        inside = (e0 | e1 | e2) >= 0
+        key = key_of(depth_at(a, b, c, np.int32(first + i), y), number)
+        keys[i] = max(keys[i], key if inside else np.int64(0))
+        pixels += inside
+        e0, e1, e2 = e0 + a0, e1 + a1, e2 + a2
+    return pixels
 
 
 @helper
