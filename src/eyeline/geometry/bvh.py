@@ -14,7 +14,7 @@ import numpy as np
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
 from eyeline.geometry.clustering import ROUNDS, SLOTS, clustered
 from eyeline.geometry.morton import FULL, leaf_starts, sorted_keys
-from eyeline.jit import in_parts, kernel, on_stack, threads
+from eyeline.jit import fetch, helper, in_parts, kernel, on_stack, threads
 
 # Rows of a node: middles and half extents of its children's boxes, and the children
 MIDDLE, EXTENT, CHILD, NODE_ROWS = 0, 3, 6, 8
@@ -24,6 +24,7 @@ NO_FACE, NO_CHILD = -1, 0  # the root is nobody's child
 GROWTH = np.float32(1 + 2**-22)  # a box grows by its roundings
 STACK = (ROUNDS + 31) * (SLOTS - 1) + 1  # waiting children of all levels: rounds that choose, then pairs
 LINE = 16  # float32 in a line of the cache
+LINE_BYTES, NODE_BYTES, LEAF_BYTES = 64, 4 * NODE_ROWS * SLOTS, 4 * LEAF_ROWS * SLOTS
 FEW = 4096  # faces: fewer are not worth a second thread
 
 ZERO, HALF, INFINITE = np.float32(0), np.float32(0.5), np.float32(np.inf)
@@ -130,6 +131,14 @@ def finished(nodes: FloatArray, leaves: FloatArray, faces: IntArray, boxes: Floa
     return Bvh(
         nodes, nodes.view(np.int32), leaves, leaves.view(np.int32), faces, read_only(low), read_only(high)
     )
+
+
+@helper
+def fetch_child(nodes, leaves, child):
+    """Ask for a child's memory, given where nodes and leaves begin, well before it is read."""
+    place = nodes + NODE_BYTES * child if child > 0 else leaves + LEAF_BYTES * ~child
+    for line in range(0, LEAF_BYTES, LINE_BYTES):
+        fetch(place + line)
 
 
 @kernel

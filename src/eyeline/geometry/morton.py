@@ -13,6 +13,7 @@ from eyeline.geometry.bounds import Bounds
 from eyeline.jit import helper, in_parts, kernel, share
 
 AXIS_BITS = 21  # of a code for each of three axes, where the face's number leaves so many
+PLACE_BITS = 8  # of a place's code for each axis: finer order is not worth its sorting
 FULL = 8  # faces a leaf may hold
 
 
@@ -29,6 +30,17 @@ def sorted_keys(points: FloatArray, faces: IntArray, parts: int) -> tuple[IntArr
     scale = cells / longest if longest > 0 else 0.0
     keys = np.empty(count, np.uint64)
     in_parts(parts, fill_keys, points, faces, tuple(bounds.low.tolist()), scale, bits, keys)
+    return sorted_by_parts(keys, parts), bits
+
+
+def keys_of_places(places: FloatArray, parts: int) -> tuple[IntArray, int]:
+    """The same of places (K, 3): neighbours in space become neighbours in the row."""
+    count = len(places)
+    bits, bounds = max(1, (count - 1).bit_length()), Bounds.of(places)
+    longest = float((bounds.high - bounds.low).max())
+    scale = (2.0**PLACE_BITS - 1) / longest if longest > 0 else 0.0
+    keys = np.empty(count, np.uint64)
+    in_parts(parts, fill_place_keys, places.reshape(-1), tuple(bounds.low.tolist()), scale, bits, keys)
     return sorted_by_parts(keys, parts), bits
 
 
@@ -63,6 +75,18 @@ def fill_keys(part, parts, points, faces, low, scale, bits, keys):
             x, y, z = points[a + axis], points[b + axis], points[c + axis]
             twice = np.float64(min(x, min(y, z))) + np.float64(max(x, max(y, z)))
             code |= spread(np.uint64((twice * 0.5 - low[axis]) * scale)) << np.uint64(2 - axis)
+        keys[i] = (code << np.uint64(bits)) | np.uint64(i)
+
+
+@kernel
+def fill_place_keys(part, parts, places, low, scale, bits, keys):
+    """Fill the keys of one part of the places."""
+    count = keys.shape[0]
+    for i in range(count * part // parts, count * (part + 1) // parts):
+        code = np.uint64(0)
+        for axis in range(3):
+            cell = (np.float64(places[3 * i + axis]) - low[axis]) * scale
+            code |= spread(np.uint64(cell)) << np.uint64(2 - axis)
         keys[i] = (code << np.uint64(bits)) | np.uint64(i)
 
 

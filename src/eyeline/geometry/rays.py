@@ -11,9 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray, read_only
-from eyeline.geometry.bvh import CHILD, EXTENT, MIDDLE, NO_CHILD, NUMBER, STACK, Bvh
+from eyeline.geometry.bvh import CHILD, EXTENT, MIDDLE, NO_CHILD, NUMBER, STACK, Bvh, fetch_child
 from eyeline.geometry.clustering import SLOTS
 from eyeline.geometry.crossing import crosses, exact_crosses, side_shown
+from eyeline.geometry.morton import keys_of_places
 from eyeline.jit import in_parts, kernel, on_stack, threads, trailing_zeros
 
 CHUNK = 1024  # rays that a thread takes at a time
@@ -52,22 +53,30 @@ def cast(
     count = len(reach)
     face, length = np.full(count, -1, np.int32), np.array(reach, np.float32)
     given = [read_only(np.ascontiguousarray(one, np.float32)) for one in rays]
-    if len(tree.nodes):
-        parts = parts or (threads() if count > CHUNK else 1)
-        in_parts(parts, cast_rays, tree, *given, any_hit, face, length)
+    if len(tree.nodes) and count:
+        # Rays that begin near each other, cast one after the other, find what they need in the cache
+        many = parts == 0 and count > CHUNK
+        parts = threads() if many else 1
+        order = keys_of_places(given[0], parts) if many else (np.arange(count, dtype=np.uint64), 63)
+        in_parts(parts, cast_rays, tree, *given, *order, any_hit, face, length)
     length[face < 0] = INFINITE
     return Hits(face, length)
 
 
 @kernel
-def cast_rays(part, parts, tree, origins, directions, any_hit, face, length):
-    """Cast every `parts`-th chunk of rays; length holds how far each reaches, and then how far it came."""
+def cast_rays(part, parts, tree, origins, directions, keys_of_rays, bits, any_hit, face, length):
+    """Cast every `parts`-th chunk of rays; length holds how far each reaches, and then how far it came.
+
+    The lower bits of the keys are the rays' numbers, in the order they are cast in.
+    """
+    lower = (np.uint64(1) << np.uint64(bits)) - np.uint64(1)
     nodes, children, leaves, numbers = tree.nodes, tree.children, tree.leaves, tree.numbers
     keys, items = on_stack(np.float32, STACK), on_stack(np.int32, STACK)
-    near, met = on_stack(np.float32, SLOTS), on_stack(np.float64, SLOTS)
-    for ray in range(part * CHUNK, origins.shape[0]):
-        if (ray // CHUNK) % parts != part:
+    near, over, under = on_stack(np.float32, SLOTS), on_stack(np.float64, SLOTS), on_stack(np.float64, SLOTS)
+    for number in range(part * CHUNK, origins.shape[0]):
+        if (number // CHUNK) % parts != part:
             continue
+        ray = np.int64(keys_of_rays[number] & lower)
         ox, oy, oz = origins[ray, 0], origins[ray, 1], origins[ray, 2]
         dx, dy, dz = directions[ray, 0], directions[ray, 1], directions[ray, 2]
         # Lengths per metre along each axis, and by how many rounding may move a box
@@ -122,10 +131,11 @@ def cast_rays(part, parts, tree, origins, directions, any_hit, face, length):
                             keys[at], items[at] = keys[at - 1], items[at - 1]
                             at -= 1
                         keys[at], items[at] = key, other
+                        fetch_child(nodes.ctypes.data, leaves.ctypes.data, other)
                         waiting += 1
             if not live:
                 continue
-            leaf, doubt = ~item, np.int32(0)
+            leaf, mask, doubt = ~item, np.int32(0), np.int32(0)
             for j in range(SLOTS):
                 az, bz = leaves[leaf, kz, j] - from_z, leaves[leaf, 3 + kz, j] - from_z
                 cz = leaves[leaf, 6 + kz, j] - from_z
@@ -143,8 +153,9 @@ def cast_rays(part, parts, tree, origins, directions, any_hit, face, length):
                 )
                 u, v, w, unsure = crosses(ax, ay, bx, by, cx, cy)
                 doubt = np.int32(doubt | (np.int32(1) << j if unsure else np.int32(0)))
-                far = (u * az + v * bz + w * cz) / ((u + v + w) * along)
-                met[j] = far if side_shown(u, v, w) != 0 else -1.0
+                through = side_shown(u, v, w) != 0
+                mask = np.int32(mask | (np.int32(1) << j if through else np.int32(0)))
+                over[j], under[j] = u * az + v * bz + w * cz, (u + v + w) * along
             while doubt != 0:
                 j = trailing_zeros(doubt)
                 doubt = np.int32(doubt & (doubt - 1))
@@ -163,11 +174,14 @@ def cast_rays(part, parts, tree, origins, directions, any_hit, face, length):
                     leaves[leaf, 6 + ky, j] - from_y - shear_y * cz,
                 )
                 u, v, w = exact_crosses(ax, ay, bx, by, cx, cy)
-                far = (u * az + v * bz + w * cz) / ((u + v + w) * along)
-                met[j] = far if side_shown(u, v, w) != 0 else -1.0
-            for j in range(SLOTS):
-                here, number = np.float32(met[j]), numbers[leaf, NUMBER, j]
-                nearer = (here < best) | ((here == best) & ((number < hit) | (hit < 0)))
-                if (here > ZERO) & (number >= 0) & nearer:
-                    best, hit = here, number
+                bit = np.int32(1 << j)
+                mask = np.int32(mask | bit if side_shown(u, v, w) != 0 else mask & ~bit)
+                over[j], under[j] = u * az + v * bz + w * cz, (u + v + w) * along
+            while mask != 0:
+                j = trailing_zeros(mask)
+                mask = np.int32(mask & (mask - 1))
+                here, own = np.float32(over[j] / under[j]), numbers[leaf, NUMBER, j]
+                nearer = (here < best) | ((here == best) & ((own < hit) | (hit < 0)))
+                if (here > ZERO) & (own >= 0) & nearer:
+                    best, hit = here, own
         length[ray], face[ray] = best, hit

@@ -12,4 +12,5 @@ from eyeline.jit.kernels import trailing_zeros as trailing_zeros
 from eyeline.jit.sharing import in_parts as in_parts
 from eyeline.jit.sharing import share as share
 from eyeline.jit.sharing import threads as threads
+from eyeline.jit.stack import fetch as fetch
 from eyeline.jit.stack import on_stack as on_stack

@@ -63,6 +63,31 @@ def _lower_on_stack() -> Callable[..., Any]:
     return cast(Callable[..., Any], intrinsic(prefer_literal=True)(lower))
 
 
+def _fetch(address: int) -> None:
+    """Uncompiled, memory comes when it comes."""
+
+
+def _lower_fetch() -> Callable[..., Any]:
+    from numba import types
+    from numba.core import cgutils
+    from numba.extending import intrinsic
+
+    def lower(context: Any, address: Any) -> Any:
+        def code(target: Any, builder: Any, signature: Any, arguments: Any) -> Any:
+            pointer, number = cgutils.voidptr_t, cgutils.int32_t
+            kind = cgutils.ir.FunctionType(cgutils.ir.VoidType(), [pointer, number, number, number])
+            function = builder.module.declare_intrinsic("llvm.prefetch", [pointer], kind)
+            # To be read, and often, as data
+            asked = builder.inttoptr(arguments[0], pointer), number(0), number(3), number(1)
+            builder.call(function, asked)
+            return target.get_dummy_value()
+
+        return types.void(address), code
+
+    return cast(Callable[..., Any], intrinsic(lower))
+
+
+fetch = cast(Callable[[int], None], _fetch if INTERPRETED else Instruction(_fetch, _lower_fetch))
 on_stack = cast(
     Callable[[type, int], npt.NDArray[Any]],
     _on_stack if INTERPRETED else Instruction(_on_stack, _lower_on_stack),

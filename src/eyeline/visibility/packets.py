@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from eyeline.geometry.bvh import CHILD, CORNERS, EXTENT, MIDDLE, NO_CHILD, NUMBER, STACK
+from eyeline.geometry.bvh import CHILD, CORNERS, EXTENT, MIDDLE, NO_CHILD, NUMBER, STACK, fetch_child
 from eyeline.geometry.crossing import crosses, exact_crosses, side_shown
 from eyeline.jit import helper, kernel, on_stack, trailing_zeros
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE
@@ -98,11 +98,10 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
     w0_, w1_ = np.float32(w0), np.float32(w1)
     least_w = w0_ + w1_ * near
     height, width = distance.shape
-    last_side = sides.shape[0] - 1
     keys, items = on_stack(np.float32, STACK), on_stack(np.int32, STACK)
     ranges = on_stack(np.int32, STACK)
     nearest, pixels = on_stack(np.float32, LANES), on_stack(np.int32, LANES)
-    hit = on_stack(np.float64, LANES)
+    over, under = on_stack(np.float64, LANES), on_stack(np.float64, LANES)
     corner = on_stack(np.float64, COORDINATES)
     own_distance = on_stack(np.float32, ROOM)
     own_face = on_stack(np.int32, ROOM)
@@ -168,6 +167,7 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                         keys[at], items[at], ranges[at] = keys[at - 1], items[at - 1], ranges[at - 1]
                         at -= 1
                     keys[at], items[at], ranges[at] = nearest[j], children[item, CHILD, j], pixels[j]
+                    fetch_child(nodes.ctypes.data, leaves.ctypes.data, children[item, CHILD, j])
                     waiting += 1
                 continue
             leaf, counts[LEAVES] = ~item, counts[LEAVES] + 1
@@ -190,13 +190,12 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                     d_low = min(d_low, np.float32(d))
                 a, b = max(first_pixel(x_low), x0), min(last_pixel(x_high), x1)
                 c, f = max(first_pixel(y_low), y0), min(last_pixel(y_high), y1)
-                whole = np.int32(x0 | x1 << 8 | y0 << 16 | y1 << 24)
                 own = np.int32(a | b << 8 | c << 16 | f << 24)
                 # One that begins before the near plane may be anywhere
-                pixels[j] = whole if d_low < near else (NOWHERE if (a > b) | (c > f) else own)
+                pixels[j] = packed if d_low < near else (NOWHERE if (a > b) | (c > f) else own)
             for j in range(LANES):
                 number, packed = first_face + numbers[leaf, NUMBER, j], pixels[j]
-                shown = sides[min(number, last_side)] if number >= first_face else np.uint8(0)
+                shown = sides[min(number, sides.shape[0] - 1)] if number >= first_face else np.uint8(0)
                 if (packed == NOWHERE) | (shown == 0):
                     continue
                 counts[FACES] += 1
@@ -214,7 +213,7 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                             u, v, w, unsure = crosses(
                                 ax - p * aw, ay - q * aw, bx - p * bw, by - q * bw, cx - p * cw, cy - q * cw
                             )
-                            hit[k] = (u * ad + v * bd + w * cd) / (u + v + w)
+                            over[k], under[k] = u * ad + v * bd + w * cd, u + v + w
                             kept = counts_for(side_shown(u, v, w), shown)
                             mask = np.int32(mask | (np.int32(1) << k if kept else np.int32(0)))
                             doubt = np.int32(doubt | (np.int32(1) << k if unsure else np.int32(0)))
@@ -225,14 +224,14 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                             u, v, w = exact_crosses(
                                 ax - p * aw, ay - q * aw, bx - p * bw, by - q * bw, cx - p * cw, cy - q * cw
                             )
-                            hit[k] = (u * ad + v * bd + w * cd) / (u + v + w)
+                            over[k], under[k] = u * ad + v * bd + w * cd, u + v + w
                             kept = counts_for(side_shown(u, v, w), shown)
                             bit = np.int32(1 << k)
                             mask = np.int32(mask | bit if kept else mask & ~bit)
                         while mask != 0:
                             k = trailing_zeros(mask)
                             mask = np.int32(mask & (mask - 1))
-                            d, at = np.float32(hit[k]), (y + (k >> 2)) * ROOM_ACROSS + x + (k & 3)
+                            d, at = np.float32(over[k] / under[k]), (y + (k >> 2)) * ROOM_ACROSS + x + (k & 3)
                             if (d < near) | (np.float64(d) >= most):
                                 continue
                             nearer = d < own_distance[at]
