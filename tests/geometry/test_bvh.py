@@ -107,4 +107,11 @@ def test_boxes_that_never_choose_each_other_are_merged_all_the_same() -> None:
 @given(seed=seeds, parts=st.integers(1, 9), count=st.integers(0, 200))
 def test_keys_sorted_by_several_are_sorted(seed: int, parts: int, count: int) -> None:
     keys = np.random.default_rng(seed).permutation(np.arange(count, dtype=np.uint64) * np.uint64(977))
-    assert np.array_equal(sorted_by_parts(keys.copy(), parts), np.sort(keys))
+    assert np.array_equal(sorted_by_parts(keys.copy(), 0, parts), np.sort(keys))
+
+
+def test_equal_codes_keep_the_order_of_their_numbers() -> None:
+    codes = np.random.default_rng(4).integers(0, 2**40, 3000, dtype=np.uint64) // np.uint64(2**33)
+    keys = codes << np.uint64(20) | np.arange(3000, dtype=np.uint64)
+    for parts in (1, 2, 5):
+        assert np.array_equal(sorted_by_parts(keys.copy(), 20, parts), np.sort(keys))

@@ -6,6 +6,8 @@ gives the same order.
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray
@@ -14,6 +16,8 @@ from eyeline.jit import helper, in_parts, kernel, share
 
 AXIS_BITS = 21  # of a code for each of three axes, where the face's number leaves so many
 PLACE_BITS = 8  # of a place's code for each axis: finer order is not worth its sorting
+DIGIT_BITS = 11  # the counters of one digit stay in the first cache
+DIGITS = 1 << DIGIT_BITS
 FULL = 8  # faces a leaf may hold
 
 
@@ -30,7 +34,7 @@ def sorted_keys(points: FloatArray, faces: IntArray, parts: int) -> tuple[IntArr
     scale = cells / longest if longest > 0 else 0.0
     keys = np.empty(count, np.uint64)
     in_parts(parts, fill_keys, points, faces, tuple(bounds.low.tolist()), scale, bits, keys)
-    return sorted_by_parts(keys, parts), bits
+    return sorted_by_parts(keys, bits, parts), bits
 
 
 def keys_of_places(places: FloatArray, parts: int) -> tuple[IntArray, int]:
@@ -41,14 +45,18 @@ def keys_of_places(places: FloatArray, parts: int) -> tuple[IntArray, int]:
     scale = (2.0**PLACE_BITS - 1) / longest if longest > 0 else 0.0
     keys = np.empty(count, np.uint64)
     in_parts(parts, fill_place_keys, places.reshape(-1), tuple(bounds.low.tolist()), scale, bits, keys)
-    return sorted_by_parts(keys, parts), bits
+    return sorted_by_parts(keys, bits, parts), bits
 
 
-def sorted_by_parts(keys: IntArray, parts: int) -> IntArray:
-    """Keys in order: each thread sorts some of them, and then they are merged two by two, by all threads."""
+def sorted_by_parts(keys: IntArray, lowest: int, parts: int) -> IntArray:
+    """Keys in order, which their bits below `lowest` follow already.
+
+    Each thread sorts some of them, and then they are merged two by two, by all threads.
+    """
     cuts = [len(keys) * part // parts for part in range(parts + 1)]
-    share(lambda part: keys[cuts[part] : cuts[part + 1]].sort(), parts)
-    other = np.empty_like(keys) if parts > 1 else keys
+    other = np.empty_like(keys)
+    pieces = [slice(begin, end) for begin, end in pairwise(cuts)]
+    share(lambda part: sort_keys(keys[pieces[part]], other[pieces[part]], lowest), parts)
     while len(cuts) > 2:
         for first, middle, end in zip(cuts[0:-1:2], cuts[1::2], [*cuts[2::2], cuts[-1]], strict=False):
             in_parts(parts, merge_keys, keys[first:middle], keys[middle:end], other[first:end])
@@ -88,6 +96,32 @@ def fill_place_keys(part, parts, places, low, scale, bits, keys):
             cell = (np.float64(places[3 * i + axis]) - low[axis]) * scale
             code |= spread(np.uint64(cell)) << np.uint64(2 - axis)
         keys[i] = (code << np.uint64(bits)) | np.uint64(i)
+
+
+@kernel
+def sort_keys(keys, other, lowest):
+    """Sort keys by their bits from `lowest` on, digit by digit from the right; other: room for as many."""
+    count, moves = keys.shape[0], 0
+    starts = np.empty(DIGITS, np.int64)
+    now, then = keys, other
+    for shift in range(lowest, 64, DIGIT_BITS):
+        starts[:] = 0
+        for i in range(count):
+            starts[(now[i] >> np.uint64(shift)) & np.uint64(DIGITS - 1)] += 1
+        begin, alike = 0, False
+        for digit in range(DIGITS):
+            size = starts[digit]
+            starts[digit], begin, alike = begin, begin + size, alike or size == count
+        if alike:
+            continue
+        for i in range(count):
+            digit = np.int64((now[i] >> np.uint64(shift)) & np.uint64(DIGITS - 1))
+            then[starts[digit]] = now[i]
+            starts[digit] += 1
+        now, then, moves = then, now, moves + 1
+    if moves & 1:
+        for i in range(count):
+            keys[i] = other[i]
 
 
 @kernel

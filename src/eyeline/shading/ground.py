@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from eyeline.geometry.arrays import ByteArray, FloatArray
+from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
 from eyeline.jit import kernel
 from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded
 from eyeline.shading.lanes import COLUMN, GX, GY, GZ, LIT, NX, NY, NZ, OPEN, ROWS, SPARE, TILE, X, Y, Z
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from eyeline.shading.frame import Strip
     from eyeline.shading.stage import Stage
 
-Light = Callable[[FloatArray, int], None]
+Light = Callable[[FloatArray, IntArray], None]
 
 KEY_PART = np.float32(0.40)  # of the floor's light comes from the key; the rest from all around
 ZERO, ONE = np.float32(0), np.float32(1)
@@ -28,9 +28,9 @@ ZERO, ONE = np.float32(0), np.float32(1)
 def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
     """(rows, W, 4) the backdrop with the floor's shadows on it, by maps."""
 
-    def light(lanes: FloatArray, count: int) -> None:
-        arrive(lanes, count, stage.shadows, stage.lights, 0)
-        look_up(lanes, count, stage.openness)
+    def light(lanes: FloatArray, pixel: IntArray) -> None:
+        arrive(lanes, len(pixel), stage.shadows, stage.lights, 0)
+        look_up(lanes, len(pixel), stage.openness)
 
     return darkened_backdrop(strip, stage.region, light)
 
@@ -38,7 +38,7 @@ def shaded_backdrop(strip: Strip, stage: Stage) -> ByteArray:
 def darkened_backdrop(strip: Strip, region: Region, light: Light) -> ByteArray:
     """(rows, W, 4) the backdrop, darker where `light` says that less arrives on the floor in a region.
 
-    light(lanes, count) fills LIT and OPEN of places on the floor.
+    light(lanes, pixel) fills LIT and OPEN of the places on the floor that pixels (K,) of the picture show.
     """
     floor = strip.frame.floor
     top, bottom = max(strip.top, region.top), min(strip.bottom, region.bottom)
@@ -61,7 +61,7 @@ def darkened_backdrop(strip: Strip, region: Region, light: Light) -> ByteArray:
                 strip.top,
                 shaded.shape[1],
             )
-            light(lanes, count)
+            light(lanes, pixels[:count] + strip.first_pixel)
             darken(shaded, lanes, pixels, count, strip.top, (ENCODED, DECODED, DITHER))
     return shaded
 

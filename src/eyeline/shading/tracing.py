@@ -50,7 +50,7 @@ class RayCounts:
     """How many rays a point casts."""
 
     sky: int = 32
-    light: int = 32  # for each light, where its shadow has an outline
+    light: int = 48  # for each light, where its shadow has an outline
     light_first: int = 8  # that find out whether it has
     mirror: int = 6  # of a mirror that is not smooth
     bounces: int = 3  # of what is seen in mirrors in mirrors
@@ -107,6 +107,12 @@ class Tracer:
             add_light(lanes, count, self.lights, row)
         if bounce < self.rays.bounces:
             self.mirror(lanes, pixel, turns, bounce)
+
+    def light_floor(self, lanes: FloatArray, pixel: IntArray) -> None:
+        """Fill what arrives at places on the studio floor, of the sky and of the key."""
+        turns = turns_of(pixel, self.frame.size[0], self.seed)
+        self.open_sky(lanes, turns, self.rays)
+        self.arrive(lanes, 0, turns, self.rays)
 
     def open_sky(self, lanes: FloatArray, turns: FloatArray, rays: RayCounts) -> None:
         """Fill OPEN."""
@@ -190,9 +196,9 @@ class Tracer:
             prepare(lanes, end - begin, self.frame.sight)
             face_ray(lanes, end - begin, places[begin:end], unit[begin:end])
             self.light(lanes, pixel[begin:end], bounce + 1)
+            lanes = lanes[:, : end - begin]
             leaving = lanes[OUT_RED : OUT_RED + 3] + lanes[EMISSIVE_RED : EMISSIVE_RED + 3]
-            shown = np.where(lanes[UNLIT] > 0, lanes[RED : RED + 3], leaving)
-            light[begin:end] = shown[:, : end - begin].T
+            light[begin:end] = np.where(lanes[UNLIT] > 0, lanes[RED : RED + 3], leaving).T
         return np.nan_to_num(light, nan=0.0, posinf=0.0)
 
 

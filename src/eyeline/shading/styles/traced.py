@@ -5,14 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from eyeline.geometry.arrays import ByteArray, FloatArray
+from eyeline.geometry.arrays import ByteArray
 from eyeline.shading.ground import darkened_backdrop
-from eyeline.shading.ray_aims import turns_of
 from eyeline.shading.region import on_floor, region_of
 from eyeline.shading.studio import lighting_of
-from eyeline.shading.tracing import RayCounts, Tracer, tracer_of
+from eyeline.shading.tracing import RayCounts, tracer_of
 from eyeline.shading.transparency import drawn_through
 
 if TYPE_CHECKING:
@@ -42,15 +39,5 @@ class Traced:
         return drawn_through(
             frame,
             tracer.colours,
-            lambda strip: darkened_backdrop(
-                strip, region, lambda lanes, count: floor_light(tracer, lanes, count)
-            ),
+            lambda strip: darkened_backdrop(strip, region, tracer.light_floor),
         )
-
-
-def floor_light(tracer: Tracer, lanes: FloatArray, count: int) -> None:
-    """Fill LIT and OPEN of places on the floor."""
-    pixel = np.arange(count)
-    turns = turns_of(pixel, count, tracer.seed)
-    tracer.open_sky(lanes, turns, tracer.rays)
-    tracer.arrive(lanes, 0, turns, tracer.rays)
