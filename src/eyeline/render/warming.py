@@ -15,6 +15,7 @@ from eyeline.render.visible import visible
 if TYPE_CHECKING:
     from eyeline.drawing.sheet import Sheet
     from eyeline.scene.scene import Scene
+    from eyeline.visibility.method import Visible
 
 SIZE = (64, 48)
 
@@ -33,8 +34,17 @@ def errands() -> list[Callable[[], object]]:
         *(partial(render, first, size=SIZE, style=style) for style in STYLES),
         *(partial(render, first, size=SIZE, samples=1, method=method) for method in answering),
         lambda: visible(first, size=SIZE).node,
+        partial(recall, first),
         *(partial(drawn, scene) for scene in scenes.values()),
     ]
+
+
+def recall(scene: Scene) -> Visible:
+    """A scene seen again by the octree, with what it saw as its hint."""
+    from eyeline.visibility.octree import Octree
+
+    seen = visible(scene, size=SIZE, method="octree")
+    return Octree(hint=seen)(seen.projected)
 
 
 def drawn(scene: Scene) -> Sheet:
