@@ -47,11 +47,11 @@ print(digest.hexdigest())
 """
 
 
-def digest_of(**environment: str) -> str:
+def digest_of(program: str = PROGRAM, **environment: str) -> str:
     """What another process sees, with these variables set."""
     path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
     run = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
+        [sys.executable, "-c", program],
         env=os.environ | {"PYTHONPATH": path} | environment,
         capture_output=True,
         text=True,
@@ -63,6 +63,11 @@ def digest_of(**environment: str) -> str:
 
 def test_one_thread_and_many_give_the_same_bytes() -> None:
     assert len({digest_of(NUMBA_NUM_THREADS=count) for count in ("1", "2", "5")}) == 1
+
+
+def test_kernels_that_run_uncompiled_give_the_same_bytes() -> None:
+    program = PROGRAM.replace("600", "6").replace("(301, 200)", "(9, 7)").replace("60)", "3)")
+    assert digest_of(program, NUMBA_DISABLE_JIT="1") == digest_of(program)
 
 
 @pytest.mark.slow

@@ -136,7 +136,8 @@ def finished(nodes: FloatArray, leaves: FloatArray, faces: IntArray, boxes: Floa
 @helper
 def fetch_child(nodes, leaves, child):
     """Ask for a child's memory, given where nodes and leaves begin, well before it is read."""
-    place = nodes + NODE_BYTES * child if child > 0 else leaves + LEAF_BYTES * ~child
+    row = np.int64(child)
+    place = nodes + NODE_BYTES * row if row > 0 else leaves + LEAF_BYTES * ~row
     for line in range(0, LEAF_BYTES, LINE_BYTES):
         fetch(place + line)
 

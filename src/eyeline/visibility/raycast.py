@@ -96,7 +96,8 @@ def to_depth(part, parts, distance, lens):
     a, b, w0, w1 = lens
     count = distance.shape[0]
     for i in range(count * part // parts, count * (part + 1) // parts):
-        here = distance[i]
-        far = np.float64(here)
-        depth = max(np.float32((b - a * far) / (w0 + w1 * far)), LEAST_DEPTH)
-        distance[i] = depth if here < np.float32(np.inf) else np.float32(0)
+        if distance[i] == np.float32(np.inf):
+            distance[i] = np.float32(0)
+            continue
+        far = np.float64(distance[i])
+        distance[i] = max(np.float32((b - a * far) / (w0 + w1 * far)), LEAST_DEPTH)
