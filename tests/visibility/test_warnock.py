@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -102,6 +103,17 @@ def test_faces_as_deep_as_each_other_are_the_lowest_ones() -> None:
     answer = WARNOCK(stacked(20000, (128, 64), np.full((20000, 3), 0.5)))
     assert (answer.face == 0).all()
     assert answer.work["areas"] == 2
+    assert answer.work["faces coincident"] == 19999
+
+
+def test_what_is_many_times_in_one_place_is_looked_at_once() -> None:
+    two = soups.snapped("large", 15, SIZE, count=2)
+    many = replace(two, faces=np.tile(two.faces, (5000, 1)), face_count=10000)
+    one, all_of_them = WARNOCK(two), WARNOCK(many)
+    assert one.work["intersecting"] > 0
+    assert np.array_equal(one.face, all_of_them.face)
+    assert one.work["areas"] == all_of_them.work["areas"]
+    assert one.work["intersecting"] == all_of_them.work["intersecting"]
 
 
 def test_depths_that_differ_by_a_rounding_are_decided_as_the_oracle_does() -> None:
@@ -135,6 +147,17 @@ def test_no_face_is_all_background() -> None:
     assert (answer.face == -1).all()
     assert answer.work["areas"] == 2
     assert (answer.areas.decision == DECISIONS.index("empty")).all()
+
+
+def test_a_face_that_only_its_box_brings_into_the_picture_is_counted_as_in_the_steps() -> None:
+    corners = [(-200, 150), (150, -200), (-200, -200)]
+    beside = soups.picture(
+        np.array(corners) * 256, np.full(3, 0.5), np.array([(0, 1, 2)]), np.array([3]), (100, 8), 0
+    )
+    answer = WARNOCK(beside)
+    *_, last = WARNOCK.steps(beside)
+    assert answer.work["disjoint"] == 2
+    assert dict(last.work) == dict(answer.work)
 
 
 def test_too_many_faces_before_each_other_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -29,6 +29,9 @@ from eyeline.visibility.relations import (
 
 TILE_BITS = 6
 TILE = 1 << TILE_BITS  # pixels
+LAST = (
+    4  # faces of a list, with which the next may coincide: a mesh that is there twice has them side by side
+)
 STEPS = 65535  # of depth, to sort by
 MOST_ENTRIES = 1 << 26  # of all lists: half a gigabyte
 LOW32 = 0xFFFFFFFF
@@ -50,7 +53,7 @@ class Lists(NamedTuple):
     """The faces of every tile, nearest first; an entry is a box in the tile above the number of a record."""
 
     records: Records
-    order: IntArray  # (R,) int32: records, nearest first in STEPS of depth
+    order: IntArray  # int32: records that coincide with none before them, nearest first in STEPS of depth
     bound: FloatArray  # (R,) float32: no depth of a record, or of one that comes after it, is greater
     starts: IntArray  # (T + 1,) where the entries of each tile begin
     entries: IntArray  # int64
@@ -97,10 +100,10 @@ def cache_lines(count: int) -> IntArray:
 
 def lists_of(projected: Projected, records: Records) -> Lists:
     """Every tile's faces; refused are more entries than MOST_ENTRIES."""
-    order = nearest_first(records.near)
+    order = distinct(records, nearest_first(records.near))
     # As the list is sorted in steps only: the greatest depth of what comes after counts too
     sorted_bound = np.maximum.accumulate(records.near[order][::-1])[::-1].copy()
-    bound = np.empty_like(sorted_bound)
+    bound = np.empty_like(records.near)
     bound[order] = sorted_bound
     width, height, parts = projected.width, projected.height, threads()
     tiles = (((width - 1) >> TILE_BITS) + 1) * (((height - 1) >> TILE_BITS) + 1)
@@ -120,10 +123,16 @@ def lists_of(projected: Projected, records: Records) -> Lists:
             f"warnock would list {starts[-1]:,} faces in {tiles} areas, of which none hides the others; "
             f"it lists at most {MOST_ENTRIES:,}: use method 'zbuffer', or a smaller picture"
         )
-    entries = np.empty(int(starts[-1]), np.int64)
-    if len(entries) or len(order):
-        list_all(entries, starts[:-1].copy())
+    entries = np.empty(int(starts[-1]) + 1, np.int64)  # one more: with none, the second pass would count only
+    list_all(entries, starts[:-1].copy())
     return Lists(records, order, bound, starts, entries, counts)
+
+
+def distinct(records: Records, order: IntArray) -> IntArray:
+    """`order` without what coincides with one of the LAST faces before it, if that has the lower number."""
+    kept = np.empty_like(order)
+    count = _distinct(read_only(order), read_only(records.boxes), read_only(records.words), kept)
+    return kept[:count]
 
 
 def nearest_first(near: FloatArray) -> IntArray:
@@ -132,6 +141,25 @@ def nearest_first(near: FloatArray) -> IntArray:
     least, most = shown.min(initial=1), shown.max(initial=0)
     step = max(float(most - least), 2.0**-60) / STEPS
     return np.argsort(((most - shown) / step).astype(np.uint16), kind="stable").astype(np.int32)
+
+
+@kernel
+def _distinct(order, boxes, words, kept):
+    """Fill kept; how many there are."""
+    count = 0
+    for i in range(order.shape[0]):
+        r = np.int64(order[i])
+        coincides = False
+        for k in range(max(count - LAST, 0), count):
+            q = np.int64(kept[k])
+            if boxes[q] == boxes[r] and words[WORDS * q + 6] <= words[WORDS * r + 6]:
+                alike = True
+                for word in range(6):
+                    alike &= words[WORDS * q + word] == words[WORDS * r + word]
+                coincides |= alike
+        kept[count] = r
+        count += not coincides
+    return count
 
 
 @kernel

@@ -133,6 +133,7 @@ def steps_of(projected: Projected, lists: Lists, names: tuple[str, ...]) -> Iter
     work, records = canvas.work, lists.records
     work["faces"] = len(projected.faces)
     work["faces turned away"], work["faces beside pixels"] = records.turned_away, records.beside
+    work["faces coincident"] = len(records.near) - len(lists.order)
     everything = polygons_of(lists)
     for y in range(0, height, TILE):
         for x in range(0, width, TILE):

@@ -17,14 +17,14 @@ from eyeline.geometry.arrays import FloatArray, IntArray, read_only
 from eyeline.geometry.memory import recycled
 from eyeline.jit import share, threads
 from eyeline.projection.projected import Projected
-from eyeline.visibility.area_lists import AREAS, CUT, Lists, Records, lists_of, records_of
+from eyeline.visibility.area_lists import AREAS, CUT, Lists, lists_of, records_of
 from eyeline.visibility.area_steps import steps_of
 from eyeline.visibility.method import Step, Visible
 from eyeline.visibility.quartering import subdivide
 
 WORK = (
-    "faces", "faces turned away", "faces beside pixels", "areas", "areas cut", "surrounding", "intersecting",
-    "contained", "disjoint", "hidden", "depth comparisons",
+    "faces", "faces turned away", "faces beside pixels", "faces coincident", "areas", "areas cut",
+    "surrounding", "intersecting", "contained", "disjoint", "hidden", "depth comparisons",
 )  # fmt: skip
 MOST_WORK = 1 << 34  # relations and comparisons: about a minute
 DECISIONS = ("empty", "surrounded", "one face", "sampled")  # what an area was when it was not cut
@@ -46,7 +46,7 @@ class Warnock:
         shape = projected.height, projected.width
         face, depth = recycled(shape, np.int32), recycled(shape, np.float32)
         decide(projected, lists, (face, depth), (np.empty((0, 6), np.int32), np.empty(0, np.int64)))
-        work = work_of(projected, records, lists.counts)
+        work = work_of(projected, lists)
         return Subdivided(face, depth, projected, self, work, lists=lists)
 
     def steps(self, projected: Projected) -> Iterator[Step]:
@@ -104,7 +104,11 @@ def decide(
         )
 
 
-def work_of(projected: Projected, records: Records, counts: IntArray) -> Mapping[str, int]:
+def work_of(projected: Projected, lists: Lists) -> Mapping[str, int]:
     """The counters, named."""
-    numbers = (len(projected.faces), records.turned_away, records.beside, *counts.sum(axis=0).tolist())
+    records = lists.records
+    numbers = (
+        len(projected.faces), records.turned_away, records.beside, len(records.near) - len(lists.order),
+        *lists.counts.sum(axis=0).tolist(),
+    )  # fmt: skip
     return dict(zip(WORK, numbers, strict=True))
