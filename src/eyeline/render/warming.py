@@ -11,11 +11,14 @@ import numpy as np
 from eyeline.render.drawing import draw
 from eyeline.render.frame import render
 from eyeline.render.visible import visible
+from eyeline.scene.camera import Camera
 
 if TYPE_CHECKING:
     from eyeline.drawing.sheet import Sheet
+    from eyeline.geometry.rays import Hits
     from eyeline.scene.scene import Scene
     from eyeline.visibility.method import Visible
+    from eyeline.visibility.visible_edges import VisibleEdges
 
 SIZE = (64, 48)
 
@@ -35,6 +38,9 @@ def errands() -> list[Callable[[], object]]:
         *(partial(render, first, size=SIZE, samples=1, method=method) for method in answering),
         lambda: visible(first, size=SIZE).node,
         partial(recall, first),
+        partial(render, mirror(), size=SIZE, style="traced"),
+        *(partial(edges, scene) for scene in scenes.values()),
+        rays,
         *(partial(drawn, scene) for scene in scenes.values()),
     ]
 
@@ -45,6 +51,36 @@ def recall(scene: Scene) -> Visible:
 
     seen = visible(scene, size=SIZE, method="octree")
     return Octree(hint=seen)(seen.projected)
+
+
+def edges(scene: Scene) -> VisibleEdges | Visible:
+    """What Roberts sees of a scene."""
+    from eyeline.projection import project
+    from eyeline.visibility import METHODS
+
+    return METHODS["roberts"](project(scene, Camera.framing(scene.bounds), SIZE))
+
+
+def mirror() -> Scene:
+    """A polished ball, and something for it to show."""
+    from eyeline.samples import sphere
+    from eyeline.scene.material import Material
+    from eyeline.scene.node import Node
+    from eyeline.scene.scene import Scene
+
+    ball = sphere().surfaces[0].mesh
+    polished = ball.with_material(Material(metallic=1.0, roughness=0.0))
+    return Scene.of(polished, Node("beside it", mesh=ball, translation=(1.1, 0, 0)))
+
+
+def rays() -> Hits:
+    """More rays than are cast in the order they come."""
+    from eyeline.geometry.bvh import bvh_of
+    from eyeline.geometry.rays import CHUNK, first_hits
+
+    mesh = puppet().surfaces[0].mesh
+    directions = np.full((CHUNK + 1, 3), -1, np.float32)
+    return first_hits(bvh_of(mesh.points, mesh.faces), -directions, directions)
 
 
 def drawn(scene: Scene) -> Sheet:
