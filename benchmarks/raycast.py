@@ -18,7 +18,7 @@ from eyeline.scene.camera import Camera
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS
-from eyeline.visibility.casts import tree_of
+from eyeline.visibility.raycast.casts import tree_of
 
 SIZE = (1920, 1080)
 COUNTS = {"80k": 80_000, "1.3M": 1_300_000, "5M": 5_000_000, "9M": 9_000_000}

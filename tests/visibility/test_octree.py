@@ -22,8 +22,8 @@ from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS, Visible
-from eyeline.visibility.forest import of_surfaces, tree_of
-from eyeline.visibility.octree import Octree
+from eyeline.visibility.octree.forest import of_surfaces, tree_of
+from eyeline.visibility.octree.octree import Octree
 
 OCTREE, ZBUFFER = METHODS["octree"], METHODS["zbuffer"]
 SIZE = (300, 280)  # more than one tile each way

@@ -18,9 +18,10 @@ from data import PROJECT, data
 from eyeline.errors import SceneError
 from eyeline.projection import project
 from eyeline.projection.projected import Projected
-from eyeline.visibility import METHODS, painter
+from eyeline.visibility import METHODS
 from eyeline.visibility.method import Step
-from eyeline.visibility.painter import Painter
+from eyeline.visibility.painter import painter
+from eyeline.visibility.painter.painter import Painter
 
 PAINTER, ZBUFFER = METHODS["painter"], METHODS["zbuffer"]
 

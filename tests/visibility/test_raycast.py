@@ -24,7 +24,7 @@ from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS
-from eyeline.visibility.casts import tree_of
+from eyeline.visibility.raycast.casts import tree_of
 
 RAYCAST, ZBUFFER = METHODS["raycast"], METHODS["zbuffer"]
 

@@ -210,7 +210,7 @@ def assert_steps_agree(found: VisibleEdges) -> None:
 
 
 def test_any_number_of_threads_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
-    from eyeline.visibility import bodies, convex_groups, edge_cells, hidden_spans
+    from eyeline.visibility.roberts import bodies, convex_groups, edge_cells, hidden_spans
 
     scene = el.samples.teapot()
     answers = []

@@ -20,8 +20,8 @@ from eyeline.projection.projected import Projected
 from eyeline.samples import piercing_faces
 from eyeline.scene.camera import Camera
 from eyeline.visibility import METHODS
-from eyeline.visibility.overtaking import nearer_throughout, overtaken
-from eyeline.visibility.spans import Scanned
+from eyeline.visibility.scanline.overtaking import nearer_throughout, overtaken
+from eyeline.visibility.scanline.spans import Scanned
 
 SCANLINE = METHODS["scanline"]
 by_chance = settings(max_examples=60, deadline=None, derandomize=True)

@@ -17,9 +17,9 @@ from eyeline.errors import OptionError
 from eyeline.geometry.fixedpoint import GUARD
 from eyeline.projection.projected import Projected
 from eyeline.visibility import METHODS
-from eyeline.visibility.area_lists import TILE
-from eyeline.visibility.quartering import SMALL
-from eyeline.visibility.warnock import DECISIONS
+from eyeline.visibility.warnock.area_lists import TILE
+from eyeline.visibility.warnock.quartering import SMALL
+from eyeline.visibility.warnock.warnock import DECISIONS
 
 WARNOCK = METHODS["warnock"]
 SIZE = (150, 97)
@@ -162,12 +162,12 @@ def test_a_face_that_only_its_box_brings_into_the_picture_is_counted_as_in_the_s
 
 def test_too_many_faces_before_each_other_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     steep = np.random.default_rng(1).uniform(0.1, 0.9, (300, 3)) * (1, 1, 0.1)
-    monkeypatch.setattr("eyeline.visibility.area_lists.MOST_ENTRIES", 3)
+    monkeypatch.setattr("eyeline.visibility.warnock.area_lists.MOST_ENTRIES", 3)
     with pytest.raises(OptionError, match=r"would list [\d,]+ faces.*'zbuffer'"):
         WARNOCK(stacked(300, (128, 128), steep))
 
 
 def test_too_much_work_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("eyeline.visibility.warnock.MOST_WORK", 100)
+    monkeypatch.setattr("eyeline.visibility.warnock.warnock.MOST_WORK", 100)
     with pytest.raises(OptionError, match=r"more than 100 times.*'zbuffer'"):
         WARNOCK(soups.snapped("large", 1, (128, 128)))

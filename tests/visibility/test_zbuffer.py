@@ -18,8 +18,9 @@ from eyeline.projection import project
 from eyeline.scene.camera import Camera
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.scene import Scene
-from eyeline.visibility import METHODS, scratch
-from eyeline.visibility.scratch import give_back, take
+from eyeline.visibility import METHODS
+from eyeline.visibility.zbuffer import scratch
+from eyeline.visibility.zbuffer.scratch import give_back, take
 
 ZBUFFER = METHODS["zbuffer"]
 
@@ -91,7 +92,8 @@ def test_callers_side_by_side_get_their_own_answers() -> None:
 
 def test_bins_that_are_too_small_are_made_larger(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
-        "eyeline.visibility.zbuffer.shelf.take", lambda parts, size, _: scratch.made(parts, size, 2, 1)
+        "eyeline.visibility.zbuffer.zbuffer.shelf.take",
+        lambda parts, size, _: scratch.made(parts, size, 2, 1),
     )
     projected = soups.snapped("mixed", 11, (130, 97), 3000)
     face, depth = oracle.seen(projected)

@@ -47,7 +47,7 @@ def errands() -> list[Callable[[], object]]:
 
 def recall(scene: Scene) -> Visible:
     """A scene seen again by the octree, with what it saw as its hint."""
-    from eyeline.visibility.octree import Octree
+    from eyeline.visibility.octree.octree import Octree
 
     seen = visible(scene, size=SIZE, method="octree")
     return Octree(hint=seen)(seen.projected)

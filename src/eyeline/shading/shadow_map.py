@@ -18,7 +18,7 @@ from eyeline.scene.camera import Camera
 from eyeline.scene.scene import Scene
 from eyeline.shading.cutout import see
 from eyeline.shading.light_table import PlacedLight
-from eyeline.visibility.zbuffer import ZBuffer
+from eyeline.visibility.zbuffer.zbuffer import ZBuffer
 
 BLOCK = 8  # texels; as far as the widest filter reaches. A map has nothing of its own so near its border
 LEVELS = 2  # of the map: every texel, and every second for filters that reach twice as far

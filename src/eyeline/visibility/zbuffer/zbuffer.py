@@ -1,0 +1,146 @@
+"""The depth buffer: every pixel keeps the nearest of all that fall on it. [Catmull74, Strasser74]"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from eyeline.geometry.arrays import IntArray, read_only
+from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_at, depth_plane
+from eyeline.geometry.memory import recycled
+from eyeline.jit import share, threads
+from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
+from eyeline.visibility.method import Step, Visible
+from eyeline.visibility.zbuffer import scratch as shelf
+from eyeline.visibility.zbuffer.bands import draw_bands
+from eyeline.visibility.zbuffer.binning import bin_faces
+
+WORK = ("faces", "faces turned away", "faces beside pixels", "depth tests")  # what is counted
+
+Corner = tuple[int, int, np.float32]  # x and y in 1/256 pixel, depth
+
+
+@dataclass(frozen=True)
+class ZBuffer:
+    """Depth buffer: answers every scene, in time that grows with faces and covered pixels, in any order."""
+
+    name: str = "zbuffer"
+    space: str = "image"
+    answers: bool = True
+    exact: bool = True
+
+    def __call__(self, projected: Projected) -> Visible:
+        """The nearest face at every pixel."""
+        height, width, parts = projected.height, projected.width, threads()
+        face = recycled((height, width), np.int32)
+        depth = recycled((height, width), np.float32)
+        scratch = shelf.take(parts, (width, height), len(projected.faces))
+        scratch, counts = binned(projected, scratch, parts)
+        flat = depth.view(np.int32).reshape(-1), face.reshape(-1)
+        tests = share(lambda part: draw_bands(part, parts, (width, height), scratch, *flat), parts)
+        shelf.give_back(scratch)
+        return Visible(face, depth, projected, self, work_of(projected, counts, sum(tests)))
+
+    def steps(self, projected: Projected) -> Iterator[Step]:
+        """Face by face: dropped, or compared at every pixel it covers; the last step holds the picture."""
+        face = np.full((projected.height, projected.width), -1, dtype=np.int32)
+        depth = np.zeros(face.shape, dtype=np.float32)
+        work = dict.fromkeys(WORK, 0)
+        for number, source in enumerate(projected.source.tolist()):
+            work["faces"] += 1
+            corners = corners_of(projected, number)
+            if corners is None:
+                work["faces turned away"] += 1
+                yield Step("dropped", f"face {source} turns away", {"face": source}, dict(work))
+                continue
+            columns, rows = box_of(corners, projected.width, projected.height)
+            if not columns or not rows:
+                work["faces beside pixels"] += 1
+                yield Step("dropped", f"face {source} lies beside every pixel", {"face": source}, dict(work))
+                continue
+            a, b, c = depth_plane(*corners[0], *corners[1], *corners[2])
+            taken, tried = [], list(covered(corners, columns, rows))
+            for x, y in tried:
+                own = depth_at(a, b, c, x, y)
+                # Nearer is greater; a tie goes to the lower face; 0 is as far as the back, which is nothing
+                if own > depth[y, x] or (own == depth[y, x] > 0 and source < face[y, x]):
+                    face[y, x], depth[y, x] = source, own
+                    taken.append((x, y))
+            work["depth tests"] += len(tried)
+            sentence = f"face {source} covers {len(tried)} pixels and is the nearest so far at {len(taken)}"
+            data = {
+                "face": source,
+                "pixels": taken,
+                "tested": tried,
+                "verdict": "kept" if taken else "dropped",
+            }
+            yield Step("drawn", sentence, data, dict(work))
+        yield Step("done", "every face was drawn", {"face": face, "depth": depth}, dict(work))
+
+
+def binned(projected: Projected, scratch: shelf.Scratch, parts: int) -> tuple[shelf.Scratch, IntArray]:
+    """All faces in the bins of `scratch`, or of a larger one; with the counters of every part."""
+    faces, sides = read_only(projected.faces).reshape(-1), read_only(projected.sides)
+    corners, depth = read_only(projected.xy.view(np.int64)).reshape(-1), read_only(projected.depth)
+    uncut, pieces = projected.face_count, read_only(projected.piece_source)
+    size = projected.width, projected.height
+    counts = np.zeros((parts, 64), dtype=np.int64)
+
+    def bin_part(room: shelf.Scratch, part: int) -> None:
+        bin_faces(part, parts, faces, corners, depth, sides, uncut, pieces, size, room, counts[part])
+
+    while True:
+        share(partial(bin_part, scratch), parts)
+        larger = shelf.grown(scratch, int(counts[:, 0].max()), int(counts[:, 1].max()))
+        if larger is None:
+            return scratch, counts.sum(axis=0)
+        scratch = larger
+
+
+def work_of(projected: Projected, counts: IntArray, tests: int) -> Mapping[str, int]:
+    """The counters, named."""
+    numbers = (len(projected.faces), int(counts[2]), int(counts[3]), tests)
+    return dict(zip(WORK, numbers, strict=True))
+
+
+# --- the same, to be read ---------------------------------------------------------------------------------
+
+
+def corners_of(projected: Projected, number: int) -> list[Corner] | None:
+    """The corners of a face, clockwise; None if it shows no side that counts."""
+    corners = [
+        (int(projected.xy[vertex, 0]), int(projected.xy[vertex, 1]), projected.depth[vertex])
+        for vertex in projected.faces[number]
+    ]
+    (x0, y0, _), (x1, y1, _), (x2, y2, _) = corners
+    area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
+    sides = int(projected.sides[number if len(projected.sides) > 1 else 0])
+    if area == 0 or not sides & (CLOCKWISE if area > 0 else COUNTER_CLOCKWISE):
+        return None
+    return corners if area > 0 else [corners[0], corners[2], corners[1]]
+
+
+def box_of(corners: list[Corner], width: int, height: int) -> tuple[range, range]:
+    """The columns and rows of pixels in the picture whose centres a face can cover."""
+    (left, right), (top, bottom) = (
+        ((min(line) + BEFORE_CENTRE) >> 8, (max(line) + BEFORE_CENTRE) >> 8)
+        for line in ([corner[0] for corner in corners], [corner[1] for corner in corners])
+    )
+    return range(max(left, 0), min(right, width)), range(max(top, 0), min(bottom, height))
+
+
+def covered(corners: list[Corner], columns: range, rows: range) -> Iterator[tuple[int, int]]:
+    """The pixels (x, y) whose centres are inside a face, or on a top or left edge of it."""
+    edges = []
+    for (x0, y0, _), (x1, y1, _) in zip(corners, corners[1:] + corners[:1], strict=True):
+        a, b = y0 - y1, x1 - x0
+        left_or_top = a > 0 or (a == 0 and b > 0)
+        edges.append((a, b, x0, y0, 0 if left_or_top else 1))
+    for y in rows:
+        for x in columns:
+            px, py = UNITS * x + CENTRE, UNITS * y + CENTRE
+            if all(a * (px - x0) + b * (py - y0) >= least for a, b, x0, y0, least in edges):
+                yield x, y
