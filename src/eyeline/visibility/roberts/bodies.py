@@ -19,7 +19,7 @@ from eyeline.projection.projected import Projected
 from eyeline.visibility.roberts.convex_groups import ROUNDING, SMALL, Facing, flat, rounding, slopes
 from eyeline.visibility.roberts.mesh_edges import MeshEdges
 
-STEPS = 65535  # of depth, to sort by: enough to meet early what hides most, and to sort fast
+STEPS = 65535  # of depth, to sort by: fine enough to meet early what hides most, coarse enough to sort fast
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,14 +28,21 @@ class Bodies:
 
     owner: IntArray  # (B,) int32: the uncut face it is, or is a piece of; F + g for the group g of faces
     face: IntArray  # (B,) int32: an uncut face of it
-    nearest: FloatArray  # (B,) depth of its nearest corner
     farthest: FloatArray  # (B,) what is deeper than this is behind all of it, whatever the rounding
     box: IntArray  # (B, 4) int32: left, top, right, bottom
     side_start: IntArray  # (B + 1,) int64
     side: IntArray  # (S, 4) int32: from x, y to x, y; the inside is to the right as one walks along it
     cap_start: IntArray  # (B + 1,) int64
     cap: FloatArray  # (C, 5): x, y, the depth there less all that snapping can have added, its slopes
-    order: IntArray  # (B,) int64: nearest first, as far as that is cheap
+    key: (
+        IntArray  # (B,) int64, rising: how many steps of depth a body begins behind `front`, above its number
+    )
+    front: float  # depth of the nearest corner of all
+    step: float  # of depth
+
+    def steps(self, depth: float) -> float:
+        """How many steps a depth is behind the nearest corner: what begins later hides nothing there."""
+        return (self.front - depth) / self.step
 
 
 def bodies_of(projected: Projected, edges: MeshEdges, facing: Facing) -> Bodies:
@@ -46,40 +53,36 @@ def bodies_of(projected: Projected, edges: MeshEdges, facing: Facing) -> Bodies:
     size, alone = len(single) + len(joined), len(single)
     caps = alone + int(((facing.group >= 0) & ~facing.far).sum())
     arrays = (
-        projected.source,
-        edges.start,
-        edges.member,
-        facing.far,
-        facing.turn,
-        facing.group,
-        edges.beyond,
-    )
+        projected.source, edges.start, edges.member, facing.far, facing.turn, facing.group, edges.beyond,
+    )  # fmt: skip
     given = (*(read_only(np.ascontiguousarray(array)) for array in arrays), *flat(projected))
     owner, face = np.concatenate([single, count + joined]).astype(np.int32), np.empty(size, np.int32)
     nearest, farthest, box = np.empty(size), np.empty(size), np.empty((size, 4), np.int32)
     side_start, cap_start = np.zeros(size + 1, np.int64), np.zeros(size + 1, np.int64)
     side, cap = np.empty((3 * caps, 4), np.int32), np.empty((caps, 5))
-    filled = (owner, face, nearest, farthest, box, side_start, side, cap_start, cap)
+    filled = (owner, face, farthest, box, side_start, side, cap_start, cap)
     parts, least = threads() if alone > SMALL else 1, rounding(projected)
 
     def shape(first: int, end: int) -> None:
-        _shape(first, end, least, *filled, *given)
+        _shape(first, end, least, nearest, *filled, *given)
 
     share(lambda part: shape(alone * part // parts, alone * (part + 1) // parts), parts)
     shape(alone, size)
-    return Bodies(*filled, nearest_first(nearest))
+    return Bodies(*filled, *nearest_first(nearest))
 
 
-def nearest_first(depth: FloatArray) -> IntArray:
-    """Rows by depth, roughly, the greatest first."""
-    back = depth.max(initial=-np.inf) - depth
-    step = back.max(initial=0) / STEPS
-    return np.argsort((back / (step or 1)).astype(np.uint16), kind="stable")
+def nearest_first(depth: FloatArray) -> tuple[IntArray, float, float]:
+    """(key, front, step) of bodies with their nearest corners at these depths (B,)."""
+    front = float(depth.max(initial=0.0))
+    step = (front - float(depth.min(initial=front))) / STEPS or 1.0
+    steps = ((front - depth) / step).astype(np.uint16)
+    order = np.argsort(steps, kind="stable")
+    return (steps[order].astype(np.int64) << 32) | order, front, step
 
 
 @kernel
 def _shape(
-    begin, stop, rounding, owner, face, nearest, farthest, box, side_start, side, cap_start, cap,
+    begin, stop, rounding, nearest, owner, face, farthest, box, side_start, side, cap_start, cap,
     source, start, member, far, turn, group, beyond, corners, xy, depth,
 ):  # fmt: skip
     """Fill bodies begin..stop, single faces or all groups; owner becomes the uncut face a face is cut from.

@@ -93,7 +93,7 @@ def _turns(part, parts, corners, xy, depth, sides, turn, drawn):
             continue
         x, y = np.int64(xy[2 * i]), np.int64(xy[2 * i + 1])
         area = signed_area(x, y, np.int64(xy[2 * j]), np.int64(xy[2 * j + 1]), xy[2 * k], xy[2 * k + 1])
-        turn[face] = (area > 0) - (area < 0)
+        turn[face] = 1 if area > 0 else -1 if area < 0 else 0
         drawn[face] = ((area > 0) & ((side & 2) != 0)) | ((area < 0) & ((side & 1) != 0))
 
 

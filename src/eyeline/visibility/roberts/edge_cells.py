@@ -14,6 +14,7 @@ from eyeline.visibility.roberts.bodies import Bodies
 
 ROUNDING = 2.0**-40  # more than the rounding of a place in 0..1 along an edge, less than a unit on it
 BLOCKS = 4  # of edges for each thread
+NUMBER = (1 << 32) - 1  # of a body, in its key
 SAMPLED = 4096  # bodies, to know how wide they are
 CELLS_OF_A_BODY, LEAST_CELLS = 16, 256  # there are at most so many for each body, and so many more
 
@@ -70,26 +71,26 @@ def passages_of(ends: FloatArray, cells: Cells) -> Passages:
 
 
 def bodies_in(bodies: Bodies, cells: Cells) -> tuple[IntArray, IntArray]:
-    """(start, body): of each cell the bodies that reach into it, nearest first."""
+    """(start, listed): of each cell the keys of the bodies that reach into it, nearest first."""
     bands = min(cells.rows, threads())
     start = np.zeros(cells.columns * cells.rows + 2, np.int64)
-    arrays = (bodies.order, bodies.box[bodies.order], bodies.side_start, bodies.side)
+    arrays = (bodies.key, bodies.box[bodies.key & NUMBER], bodies.side_start, bodies.side)
     given = (cells.shift, cells.columns, *(read_only(array) for array in arrays))
 
-    def fill(body: IntArray) -> None:
+    def fill(listed: IntArray) -> None:
         share(
             lambda band: _list_bodies(
-                start, body, cells.rows * band // bands, cells.rows * (band + 1) // bands, *given
+                start, listed, cells.rows * band // bands, cells.rows * (band + 1) // bands, *given
             ),
             bands,
         )
 
-    fill(np.empty(0, np.int32))
+    fill(np.empty(0, np.int64))
     start = np.cumsum(start)
-    body = np.empty(start[-1], np.int32)
-    if len(body):
-        fill(body)
-    return start, body
+    listed = np.empty(start[-1], np.int64)
+    if len(listed):
+        fill(listed)
+    return start, listed
 
 
 @helper
@@ -135,17 +136,17 @@ def _pass(first, end, ends, width, height, shift, columns, rows, inside, number)
 
 
 @kernel
-def _list_bodies(start, body, first, end, shift, columns, order, box, side_start, side):
+def _list_bodies(start, listed, first, end, shift, columns, key, box, side_start, side):
     """Count, two places late, the bodies of cells in rows first..end; where there is room, list them."""
-    counting = body.shape[0] == 0
-    for i in range(order.shape[0]):
+    counting = listed.shape[0] == 0
+    for i in range(key.shape[0]):
         low_column, high_column = max(box[i, 0], 0) >> shift, min(box[i, 2] >> shift, columns - 1)
         low_row, high_row = max(box[i, 1], 0) >> shift, box[i, 3] >> shift
         tall = high_row > low_row + 3
         for row in range(max(low_row, first), min(high_row + 1, end)):
             left, right = low_column, high_column
             if tall:
-                b = order[i]
+                b = key[i] & NUMBER
                 # Of a large body, only the columns its outline touches in this row of cells, a unit wider
                 above, deep = float(row << shift) - 1.0, float((1 << shift) + 2)
                 low, high = np.inf, -np.inf
@@ -161,5 +162,5 @@ def _list_bodies(start, body, first, end, shift, columns, order, box, side_start
                 if counting:
                     start[cell + 2] += 1
                 else:
-                    body[start[cell + 1]] = order[i]
+                    listed[start[cell + 1]] = key[i]
                     start[cell + 1] += 1

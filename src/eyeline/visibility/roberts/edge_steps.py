@@ -117,15 +117,15 @@ def bodies_met(line: Line, asked: Question, hidden: list[Span]) -> Iterator[int]
     for passage in range(passages.start[line.number], passages.start[line.number + 1]):
         cell = passages.cell[passage]
         c0, c1 = max(passages.span[passage, 0], begin), min(passages.span[passage, 1], stop)
-        for body in asked.listed[asked.start[cell] : asked.start[cell + 1]].tolist():
-            if any(t0 <= c0 and t1 >= c1 for t0, t1 in hidden):
+        for key in asked.listed[asked.start[cell] : asked.start[cell + 1]].tolist():
+            begins, body = divmod(key, 1 << 32)
+            covered = any(t0 <= c0 and t1 >= c1 for t0, t1 in hidden)
+            if covered or begins > bodies.steps(min(line.p0[2], line.p1[2])):
                 break
-            all_deeper = bodies.nearest[body] <= min(line.p0[2], line.p1[2])
-            if body in met or all_deeper or bodies.owner[body] in asked.own[line.number]:
-                continue
-            met.add(body)
             x0, y0, x1, y1 = bodies.box[body].tolist()
-            if x0 <= right and x1 >= left and y0 <= down and y1 >= up:
+            beside = x0 > right or x1 < left or y0 > down or y1 < up
+            if not beside and body not in met and bodies.owner[body] not in asked.own[line.number]:
+                met.add(body)
                 yield body
 
 

@@ -19,10 +19,10 @@ from eyeline.jit import helper, kernel, share, threads
 from eyeline.projection.projected import Projected
 from eyeline.visibility.roberts.bodies import Bodies, bodies_of
 from eyeline.visibility.roberts.convex_groups import SMALL, facing_of, flat, shown_faces
-from eyeline.visibility.roberts.edge_cells import Passages, bodies_in, cells_for, passages_of
+from eyeline.visibility.roberts.edge_cells import NUMBER, Passages, bodies_in, cells_for, passages_of
 from eyeline.visibility.roberts.mesh_edges import MeshEdges, cut_ends
 
-BLOCKS = 16  # of edges for each thread: some are crossed by many bodies
+BLOCKS = 8  # of edges for each thread: some are crossed by many bodies
 DUST = 1.0  # 1/256 pixel: shorter pieces are what snapping leaves, and go to their neighbours
 TESTED, TURNED_AWAY, BEHIND_ITSELF = 0, 1, 2  # what is known of an edge before any body is looked at
 
@@ -37,7 +37,7 @@ class Question:
     bodies: Bodies
     passages: Passages
     start: IntArray  # int64: where the bodies of each cell begin
-    listed: IntArray  # int32: the bodies of all cells
+    listed: IntArray  # int64: keys of the bodies of all cells
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,10 +76,10 @@ def pieces_of(asked: Question) -> Pieces:
     passages, bodies = asked.passages, asked.bodies
     arrays = (
         asked.ends, asked.own, asked.fate, passages.inside, passages.start, passages.cell, passages.span,
-        asked.start, asked.listed, bodies.owner, bodies.nearest, bodies.farthest, bodies.box,
-        bodies.side_start, bodies.side, bodies.cap_start, bodies.cap,
+        asked.start, asked.listed, bodies.owner, bodies.farthest, bodies.box, bodies.side_start, bodies.side,
+        bodies.cap_start, bodies.cap,
     )  # fmt: skip
-    given = [read_only(array) for array in arrays]
+    given = (bodies.front, bodies.step, *(read_only(array) for array in arrays))
     found = share(lambda part: _solve(count * part // blocks, count * (part + 1) // blocks, *given), blocks)
     tests = sum(one[4] for one in found)
     return Pieces(tests, *(np.concatenate([one[k] for one in found]) for k in range(4)))
@@ -114,8 +114,8 @@ def solved(at_0, at_1, t0, t1):
 
 @kernel
 def _solve(
-    first, end, ends, own, fate, inside, passage_start, passage_cell, passage_span, list_start, listed,
-    owner, nearest, farthest, box, side_start, side, cap_start, cap,
+    first, end, front, step, ends, own, fate, inside, passage_start, passage_cell, passage_span, list_start,
+    listed, owner, farthest, box, side_start, side, cap_start, cap,
 ):  # fmt: skip
     """(seen edge, seen, hidden edge, hidden, tests) of edges first..end."""
     room, shown, behind, tests = 2 * (end - first) + 16, 0, 0, 0
@@ -128,7 +128,8 @@ def _solve(
             continue
         ax, ay, az, bx, by, bz = ends[s, 0], ends[s, 1], ends[s, 2], ends[s, 3], ends[s, 4], ends[s, 5]
         left, right, up, down = min(ax, bx), max(ax, bx), min(ay, by), max(ay, by)
-        low, dust, n = min(az, bz), DUST / max(right - left, down - up), 0
+        deep, dust, n = (front - min(az, bz)) / step, DUST / max(right - left, down - up), 0
+        own_f, own_g = own[s, 0], own[s, 1]
         passages = range(passage_start[s], passage_start[s + 1])
         if fate[s] != TESTED:
             hidden[0, 0], hidden[0, 1], n = begin, stop, 1
@@ -136,18 +137,21 @@ def _solve(
         for passage in passages:
             cell = passage_cell[passage]
             c0, c1 = max(passage_span[passage, 0], begin), min(passage_span[passage, 1], stop)
+            covered, changed = False, True
             for at in range(list_start[cell], list_start[cell + 1]):
-                covered = False
-                for i in range(n):
-                    covered |= (hidden[i, 0] <= c0) & (hidden[i, 1] >= c1)
-                if covered:
+                if changed:
+                    for i in range(n):
+                        covered |= (hidden[i, 0] <= c0) & (hidden[i, 1] >= c1)
+                    changed = False
+                # Nothing is left to hide in this cell, or nothing that begins near enough to hide it
+                if covered or float(listed[at] >> 32) > deep:
                     break
-                b = listed[at]
-                if (met[b] == s) | (nearest[b] <= low) | (owner[b] == own[s, 0]) | (owner[b] == own[s, 1]):
-                    continue
-                met[b] = s
+                b = listed[at] & NUMBER
                 if (box[b, 0] > right) | (box[b, 2] < left) | (box[b, 1] > down) | (box[b, 3] < up):
                     continue
+                if (met[b] == s) | (owner[b] == own_f) | (owner[b] == own_g):
+                    continue
+                met[b] = s
                 tests += 1
                 t0, t1 = begin, stop
                 for k in range(side_start[b], side_start[b + 1]):
@@ -186,6 +190,7 @@ def _solve(
                         hidden[k - j + i + 1, 0], hidden[k - j + i + 1, 1] = hidden[k, 0], hidden[k, 1]
                 hidden[i, 0], hidden[i, 1] = t0, t1
                 n += 1 - (j - i)
+                changed = True
 
         # What is seen and what is hidden, by turns; dust goes to its neighbour
         if max(shown, behind) + n + 1 > room:
@@ -204,29 +209,14 @@ def _solve(
                 continue
             if t0 > place:
                 seen_edge[shown] = s
-                seen_at[shown, 0] = (ax + place * (bx - ax)) / UNITS
-                seen_at[shown, 1] = (ay + place * (by - ay)) / UNITS
-                seen_at[shown, 2], seen_at[shown, 3] = (
-                    (ax + t0 * (bx - ax)) / UNITS,
-                    (ay + t0 * (by - ay)) / UNITS,
-                )
+                seen_at[shown, 0], seen_at[shown, 1] = ax + place * (bx - ax), ay + place * (by - ay)
+                seen_at[shown, 2], seen_at[shown, 3] = ax + t0 * (bx - ax), ay + t0 * (by - ay)
                 shown += 1
             if i < n:
                 hidden_edge[behind] = s
-                hidden_at[behind, 0], hidden_at[behind, 1] = (
-                    (ax + t0 * (bx - ax)) / UNITS,
-                    (ay + t0 * (by - ay)) / UNITS,
-                )
-                hidden_at[behind, 2], hidden_at[behind, 3] = (
-                    (ax + t1 * (bx - ax)) / UNITS,
-                    (ay + t1 * (by - ay)) / UNITS,
-                )
+                hidden_at[behind, 0], hidden_at[behind, 1] = ax + t0 * (bx - ax), ay + t0 * (by - ay)
+                hidden_at[behind, 2], hidden_at[behind, 3] = ax + t1 * (bx - ax), ay + t1 * (by - ay)
                 behind += 1
             place = t1
-    return (
-        seen_edge[:shown].copy(),
-        seen_at[:shown].copy(),
-        hidden_edge[:behind].copy(),
-        hidden_at[:behind].copy(),
-        tests,
-    )
+    seen, hidden_parts = seen_at[:shown] / UNITS, hidden_at[:behind] / UNITS
+    return seen_edge[:shown].copy(), seen, hidden_edge[:behind].copy(), hidden_parts, tests

@@ -32,7 +32,7 @@ def edges_of(projected: Projected) -> MeshEdges:
     beyond = np.full((projected.face_count, 3), -1, np.int32)
     edges, front = list[IntArray]([np.empty((0, 4), np.int32)]), list[IntArray]([np.empty(0, np.int8)])
     start, member = list[IntArray]([np.zeros(1, np.int64)]), list[IntArray]([np.empty(0, np.int32)])
-    vertex = 0
+    vertex, members = 0, 0
     for number, surface in enumerate(projected.surfaces):
         face, count = int(projected.first_faces[number]), len(surface.mesh.faces)
         if surface.visible and count:
@@ -40,8 +40,9 @@ def edges_of(projected: Projected) -> MeshEdges:
             edges.append(shape.edges + np.array([vertex, vertex, face, face], np.int32))
             edges[-1][shape.edges[:, 3] < 0, 3] = -1
             beyond[face : face + count] = np.where(shape.beyond < 0, -1, shape.beyond + face)
-            start.append(shape.start[1:] + sum(map(len, member)))
+            start.append(shape.start[1:] + members)
             member.append(shape.member + np.int32(face))
+            members += len(shape.member)
             front.append(np.where(shape.closed, 1 if surface.mirrored else -1, 0).astype(np.int8))
         vertex += len(surface.mesh.points)
     return MeshEdges(
