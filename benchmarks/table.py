@@ -8,7 +8,10 @@ from benchmarks import results
 
 README = Path(__file__).resolve().parent.parent / "README.md"
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
-ORDER = ("zbuffer", "shading", "drawing", "film", "first_png", "skinning")
+ORDER = (
+    "zbuffer", "methods", "octree", "raycast", "shading", "drawing", "film", "first_png", "skinning",
+)  # fmt: skip
+ELSEWHERE = {"growth"}  # stands with the methods' pages
 
 
 def main() -> None:
@@ -21,7 +24,9 @@ def main() -> None:
 def table() -> str:
     """The rows of every program as a Markdown table, and the machine in a sentence."""
     rows = results.load()
-    names = [name for name in ORDER if name in rows] + [name for name in rows if name not in ORDER]
+    names = [name for name in ORDER if name in rows] + [
+        name for name in rows if name not in (*ORDER, *ELSEWHERE)
+    ]
     lines = ["| what | eyeline | peer | eyeline / peer | bar |", "|---|--:|--:|--:|--:|"]
     for row in (row for name in names for row in rows[name]):
         peer = "" if row.theirs is None else f"{figure(row.theirs)} {row.unit}, {row.against}"
