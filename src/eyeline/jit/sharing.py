@@ -94,9 +94,12 @@ def share(task: Callable[[int], Result], parts: int) -> list[Result]:
     pool.step_aside()
     rest = [pool.submit(task, part) for part in range(1, parts)]
     first = task(0)
-    # A part that no thread has begun yet is done here: nobody waits for a core that is busy with other things
-    later = [task(part) if one.cancel() else one.result() for part, one in enumerate(rest, 1)]
-    return [first, *later]
+    # A part that no thread has begun yet is done here: nobody waits for a core that is busy otherwise.
+    # The threads take the first of them, so the caller begins with the last, and they meet.
+    later = [
+        task(part) if rest[part - 1].cancel() else rest[part - 1].result() for part in range(parts - 1, 0, -1)
+    ]
+    return [first, *reversed(later)]
 
 
 def in_parts(parts: int, kernel: Callable[..., Result], *arguments: object) -> list[Result]:
