@@ -1,4 +1,4 @@
-"""Writes what was measured into the README, between its markers: `python -m benchmarks.table`."""
+"""Writes what was measured into the README and the page on speed: `python -m benchmarks.table`."""
 
 from __future__ import annotations
 
@@ -6,27 +6,31 @@ from pathlib import Path
 
 from benchmarks import results
 
-README = Path(__file__).resolve().parent.parent / "README.md"
+PROJECT = Path(__file__).resolve().parent.parent
 BEGIN, END = "<!-- measured: begin -->", "<!-- measured: end -->"
-ORDER = (
-    "zbuffer", "methods", "octree", "raycast", "shading", "drawing", "film", "first_png", "skinning",
-)  # fmt: skip
+FRONT = ("zbuffer", "shading", "film", "first_png", "skinning")  # what the front page shows
+ORDER = ("zbuffer", "methods", "octree", "raycast", "shading", "drawing", "film", "first_png", "skinning")
 ELSEWHERE = {"growth"}  # stands with the methods' pages
 
 
 def main() -> None:
-    text = README.read_text()
-    head, rest = text.split(BEGIN)
-    tail = rest.split(END)[1]
-    README.write_text(f"{head}{BEGIN}\n{table()}\n{END}{tail}")
-
-
-def table() -> str:
-    """The rows of every program as a Markdown table, and the machine in a sentence."""
     rows = results.load()
-    names = [name for name in ORDER if name in rows] + [
-        name for name in rows if name not in (*ORDER, *ELSEWHERE)
-    ]
+    every = [name for name in ORDER if name in rows]
+    every += [name for name in rows if name not in (*ORDER, *ELSEWHERE)]
+    write(PROJECT / "README.md", [name for name in FRONT if name in rows])
+    write(PROJECT / "docs" / "guide" / "speed.md", every)
+
+
+def write(page: Path, names: list[str]) -> None:
+    """Put the rows of some programs between a page's markers."""
+    head, rest = page.read_text().split(BEGIN)
+    tail = rest.split(END)[1]
+    page.write_text(f"{head}{BEGIN}\n{table(names)}\n{END}{tail}")
+
+
+def table(names: list[str]) -> str:
+    """The rows of programs as a Markdown table, and the machine in a sentence."""
+    rows = results.load()
     lines = ["| what | eyeline | peer | eyeline / peer | bar |", "|---|--:|--:|--:|--:|"]
     for row in (row for name in names for row in rows[name]):
         peer = "" if row.theirs is None else f"{figure(row.theirs)} {row.unit}, {row.against}"
