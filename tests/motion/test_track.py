@@ -12,7 +12,7 @@ from eyeline.motion import Curve, Track
         ("node", "mesh", 3, False, "no property 'mesh'"),
         ("material", "translation", 3, False, "no property 'translation'"),
         ("material", "double_sided", 1, False, "no property 'double_sided'"),
-        ("light", "color", 3, False, "a node or a material, not a 'light'"),
+        ("light", "color", 3, False, "a node, a material or a constraint, not a 'light'"),
         ("node", "translation", 4, False, "(4,); (3,) is needed"),
         ("node", "light.intensity", 1, False, "(1,); () is needed"),
         ("node", "rotation", 4, False, "made with rotation=True"),

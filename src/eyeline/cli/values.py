@@ -65,8 +65,8 @@ def clip_of(scene: Scene, name: str | None) -> str | int | None:
 def scene_of(name: str) -> Scene:
     """A scene from a file, or a built-in one."""
     if name.startswith(SAMPLE):
+        from eyeline.errors import suggestion
         from eyeline.samples import SAMPLES
-        from eyeline.scene.scene import suggestion
 
         wanted = name.removeprefix(SAMPLE)
         if wanted not in SAMPLES:

@@ -10,13 +10,13 @@ from typing import Any
 from eyeline.comparison.agreement import Agreement, Judge, judge_of
 from eyeline.comparison.ladder import Ladder, ladder_of_faces, ladder_of_pixels
 from eyeline.comparison.trial import Trial, tried
-from eyeline.errors import FileError, OptionError
+from eyeline.errors import FileError, OptionError, suggestion
 from eyeline.jit import threads
 from eyeline.projection import project
 from eyeline.projection.project import checked_size
 from eyeline.projection.projected import Projected
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
-from eyeline.scene.scene import Scene, suggestion
+from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS, visible_of
 from eyeline.visibility.method import Visible
 

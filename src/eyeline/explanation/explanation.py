@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from eyeline.cached import cached_property
-from eyeline.errors import FileError, OptionError
+from eyeline.errors import FileError, OptionError, suggestion
 from eyeline.explanation.frames import Frame, frames_of
 from eyeline.explanation.reduction import reduced
 from eyeline.geometry.arrays import ByteArray
@@ -17,7 +17,7 @@ from eyeline.projection import project
 from eyeline.projection.project import checked_size
 from eyeline.projection.projected import Projected
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
-from eyeline.scene.scene import Scene, suggestion
+from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS
 from eyeline.visibility.method import Method, Step
 

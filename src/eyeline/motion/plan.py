@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -12,11 +13,12 @@ import numpy as np
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.motion.bundle import Bundle
-from eyeline.motion.target import Target, changed, find, resolved
+from eyeline.motion.target import Target, changed, fields_of, find, resolved
 from eyeline.motion.track import Track
+from eyeline.scene.constraint import Constraint
 from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
-from eyeline.scene.pose import Samples
+from eyeline.scene.pose import Samples, differences, solved
 from eyeline.scene.scene import Scene
 
 PARTS = {"translation": (0, 3), "rotation": (3, 4), "scale": (7, 3)}  # of a node's ten columns
@@ -38,6 +40,10 @@ class Plan:
     unfolded: Mapping[int, Mapping[str, Any]]  # moved nodes that were given as a matrix -> their parts
     fixed: Mapping[int, FloatArray]  # nodes that stay where a matrix puts them
     painted: Mapping[str, Sequence[int]]  # moved material -> the nodes whose meshes wear it
+    steered: Mapping[str, Mapping[str, tuple[int, tuple[int, ...]]]]  # constraint -> number -> column, shape
+    controls: Mapping[int, Mapping[str, tuple[int, float]]]  # node -> name -> column or -1, value at rest
+    constraints: tuple[Constraint, ...]
+    paths: tuple[str, ...]
 
     @classmethod
     def of(cls, tracks: Sequence[Track], scene: Scene) -> Plan:
@@ -51,18 +57,21 @@ class Plan:
         moved = {node for track, node in zip(tracks, nodes, strict=True) if track.property in PARTS}
         rest = [still.translation, still.rotation, still.scale, *still.weights.values()]
         rest.append(np.zeros(end - sum(part.size for part in rest)))
+        columns = [int(before + column) for before, _, column in places]
+        led = list(zip(tracks, nodes, columns, strict=True))
         return cls(
             bundle=Bundle.of([track.curve for track in tracks], places, end),
             rest=np.concatenate([part.reshape(-1) for part in rest]),
             parents=still.parents,
             weights=weights,
-            targets=tuple(
-                Target.of(track, node, int(before + column))
-                for track, node, (before, _, column) in zip(tracks, nodes, places, strict=True)
-            ),
+            targets=tuple(Target.of(*one) for one in led if one[0].kind != "constraint"),
             unfolded={node: _parts(still, node) for node in moved & set(still.fixed)},
             fixed={node: matrix for node, matrix in still.fixed.items() if node not in moved},
             painted={track.name: wearers[track.name] for track in tracks if track.kind == "material"},
+            steered=_steered(led),
+            controls=_controls(led, scene),
+            constraints=scene.constraints,
+            paths=scene.paths,
         )
 
     def pose(self, scene: Scene, time: float) -> Scene:
@@ -79,30 +88,54 @@ class Plan:
             target.enter(changes, state)
         for node, mesh in self._painted(scene, materials).items():
             nodes.setdefault(node, {})["mesh"] = mesh
-        posed = list(scene.nodes)
-        for node, changes in nodes.items():
-            posed[node] = posed[node].changed(**resolved(posed[node], changes))
-        return replace(scene, nodes=tuple(posed), clips=())
+        if self.constraints:
+            pose = self._samples(state, 1)
+            for node, changes in differences(pose, self._solved(pose, state, 1)).items():
+                nodes.setdefault(node, {}).update(changes)
+        return scene.with_changes(
+            {node: resolved(scene.nodes[node], changes) for node, changes in nodes.items()}
+        )
 
     def sample(self, times: FloatArray) -> Samples:
         """All node transforms and morph weights at times (T,)."""
         count, nodes = len(times), len(self.parents)
         state = np.empty(count * len(self.rest))
+        # Blocks that no track fills whole hold the scene as it stands
         bounds = [0, 3 * nodes, 7 * nodes, 10 * nodes, *(end for _, end in self.weights.values())]
-        blocks = []
         for first, end in pairwise(bounds):
-            block = state[first * count : end * count].reshape(count, end - first)
-            block[:] = self.rest[first:end]
-            blocks.append(block)
+            _block(state, first, end, count)[:] = self.rest[first:end]
         self.bundle.at(times, state)
+        pose = self._samples(state, count)
+        return self._solved(pose, state, count) if self.constraints else pose
+
+    def _samples(self, state: FloatArray, count: int) -> Samples:
+        """A state of `count` times, unsolved, as views of it."""
+        nodes = len(self.parents)
+        parts = [
+            _block(state, first * nodes, (first + width) * nodes, count).reshape(count, nodes, width)
+            for first, width in PARTS.values()
+        ]
         return Samples(
-            blocks[0].reshape(count, nodes, 3),
-            blocks[1].reshape(count, nodes, 4),
-            blocks[2].reshape(count, nodes, 3),
-            dict(zip(self.weights, blocks[3:], strict=True)),
+            parts[0],
+            parts[1],
+            parts[2],
+            {node: _block(state, first, end, count) for node, (first, end) in self.weights.items()},
             self.parents,
             self.fixed,
+            {node: _numbers(state, names, count) for node, names in self.controls.items()},
+            self.paths,
         )
+
+    def _solved(self, pose: Samples, state: FloatArray, count: int) -> Samples:
+        """A pose of `count` times with the constraints kept."""
+        moved = {
+            constraint: {
+                name: _block(state, column, column + math.prod(shape), count).reshape(count, *shape)
+                for name, (column, shape) in numbers.items()
+            }
+            for constraint, numbers in self.steered.items()
+        }
+        return solved(pose, self.constraints, moved)
 
     def _painted(self, scene: Scene, changes: Mapping[str, dict[str, Any]]) -> dict[int, Mesh]:
         """The meshes that wear materials with changes, by node; a mesh that stands twice is changed once."""
@@ -120,6 +153,42 @@ class Plan:
                 meshes[id(mesh)] = mesh.changed(materials=worn)
             painted[node] = meshes[id(mesh)]
         return painted
+
+
+def _block(state: FloatArray, first: int, end: int, count: int) -> FloatArray:
+    """The columns first to end of a state of `count` times, as a view (count, end - first)."""
+    return state[first * count : end * count].reshape(count, end - first)
+
+
+def _numbers(state: FloatArray, names: Mapping[str, tuple[int, float]], count: int) -> dict[str, FloatArray]:
+    """A node's controls (T,) by name, moved ones from their columns."""
+    return {
+        name: np.full(count, rest) if column < 0 else _block(state, column, column + 1, count)[:, 0]
+        for name, (column, rest) in names.items()
+    }
+
+
+def _steered(led: Sequence[tuple[Track, int, int]]) -> dict[str, dict[str, tuple[int, tuple[int, ...]]]]:
+    """Where the numbers of constraints stand that tracks move."""
+    steered: dict[str, dict[str, tuple[int, tuple[int, ...]]]] = {}
+    for track, _, column in led:
+        if track.kind == "constraint":
+            steered.setdefault(track.name, {})[track.property] = (column, track.curve.shape)
+    return steered
+
+
+def _controls(led: Sequence[tuple[Track, int, int]], scene: Scene) -> dict[int, dict[str, tuple[int, float]]]:
+    """Every node's controls: the column of the track that moves one, -1 without, and its value at rest."""
+    controls = {
+        index: {name: (-1, float(value)) for name, value in node.controls.items()}
+        for index, node in enumerate(scene.nodes)
+        if node.controls
+    }
+    for track, node, column in led:
+        first, *name = fields_of(track.property)
+        if node >= 0 and first == "controls":
+            controls[node][name[0]] = (column, 0.0)
+    return controls
 
 
 def _columns(
@@ -169,7 +238,7 @@ def _parts(still: Samples, node: int) -> dict[str, Any]:
 def _refuse_twice(tracks: Sequence[Track], nodes: Sequence[int]) -> None:
     taken = set()
     for track, node in zip(tracks, nodes, strict=True):
-        target = (node, track.name if node < 0 else "", track.property)
+        target = (track.kind, node, track.name if node < 0 else "", track.property)
         if target in taken:
             raise SceneError(f"{track} is there twice; one curve for a property is needed")
         taken.add(target)

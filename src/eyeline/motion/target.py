@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
-from eyeline.errors import SceneError
+import numpy as np
+
+from eyeline.errors import SceneError, suggestion
 from eyeline.geometry.arrays import FloatArray
 from eyeline.motion.track import Track
+from eyeline.scene.camera import fov_of
 from eyeline.scene.material import Material
-from eyeline.scene.scene import Scene, suggestion
+from eyeline.scene.scene import Scene
 
 Thing = TypeVar("Thing")
 
@@ -30,6 +33,9 @@ LIMITS: dict[str, tuple[float, float]] = {
     "light.outer_cone": (0, math.pi / 2),
 }
 
+# Properties that things hold in another form: the field's name, and its value.
+CONVERSIONS: dict[str, tuple[str, Callable[[float], float]]] = {"focal_length": ("fov", fov_of)}
+
 
 @dataclass(frozen=True, eq=False)
 class Target:
@@ -40,7 +46,7 @@ class Target:
     path: tuple[str, ...]  # names of fields, the last is what moves
     first: int  # column
     end: int
-    scalar: bool
+    shape: tuple[int, ...]
     low: float
     high: float
 
@@ -49,17 +55,8 @@ class Target:
         """The target of a track whose value stands at column `first`."""
         low, high = LIMITS.get(track.property, (-math.inf, math.inf))
         material = track.name if track.kind == "material" else ""
-        scalar = track.curve.shape == ()
-        return cls(
-            node,
-            material,
-            tuple(track.property.split(".")),
-            first,
-            first + track.curve.width,
-            scalar,
-            low,
-            high,
-        )
+        end, shape = first + track.curve.width, track.curve.shape
+        return cls(node, material, fields_of(track.property), first, end, shape, low, high)
 
     def value(self, state: FloatArray) -> Any:
         """What the property becomes."""
@@ -68,54 +65,97 @@ class Target:
             return numbers[0] > 0.5
         if self.low > -math.inf:
             numbers = tuple(min(max(number, self.low), self.high) for number in numbers)
-        return numbers[0] if self.scalar else numbers
+        if len(self.shape) > 1:
+            return np.array(numbers).reshape(self.shape)
+        return numbers if self.shape else numbers[0]
 
     def enter(self, changes: dict[str, Any], state: FloatArray) -> None:
         """Note the new value among a thing's changes, nested as the path is."""
         for name in self.path[:-1]:
             changes = changes.setdefault(name, {})
-        changes[self.path[-1]] = self.value(state)
+        name, value = self.path[-1], self.value(state)
+        if name in CONVERSIONS:
+            name, convert = CONVERSIONS[name]
+            value = convert(value)
+        changes[name] = value
+
+
+def fields_of(property_name: str) -> tuple[str, ...]:
+    """The names that lead from a thing to what moves; a control's own name may have dots."""
+    first, _, rest = property_name.partition(".")
+    return (first, rest) if first == "controls" else tuple(property_name.split("."))
 
 
 def changed(thing: Thing, changes: Mapping[str, Any]) -> Thing:
     """A frozen thing with other values; a mapping in place of a value changes the value in turn."""
-    return replace(thing, **resolved(thing, changes))  # type: ignore[type-var]
+    values = resolved(thing, changes)
+    if isinstance(thing, Mapping):
+        return thing | values  # type: ignore[operator, no-any-return]
+    return replace(thing, **values)  # type: ignore[type-var]
 
 
 def resolved(thing: object, changes: Mapping[str, Any]) -> dict[str, Any]:
     """The new values of a thing's fields, mappings among them followed to the end."""
     return {
-        name: changed(getattr(thing, name), value) if isinstance(value, dict) else value
+        name: changed(part(thing, name), value) if isinstance(value, dict) else value
         for name, value in changes.items()
     }
 
 
+NUMBERS = (int, float, tuple, np.ndarray)
+
+
+def parts_of(thing: object) -> dict[str, Any]:
+    """Everything that a thing holds by name."""
+    return dict(thing) if isinstance(thing, Mapping) else dict(vars(thing))
+
+
+def part(thing: object, name: str) -> Any:
+    """What a thing holds under a name, None if nothing."""
+    return parts_of(thing).get(name)
+
+
 def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mapping[str, Material]) -> int:
-    """The node a track leads to, -1 for a material.
+    """The node a track leads to, -1 for a material or a constraint.
 
     Refused: what is not there, and what has not the part that would move.
     """
     thing: object
-    if track.kind == "material":
-        node = -1
-        if track.name not in materials:
-            raise SceneError(f"there is no material {track.name!r}{suggestion(track.name, materials)}")
-        thing = materials[track.name]
-    else:
+    node = -1
+    if track.kind == "node":
         node = paths[track.name] if track.name in paths else scene.find(track.name)
         thing = scene.nodes[node]
-    *parts, last = track.property.split(".")
-    for part in parts:
-        thing = getattr(thing, part)
+    else:
+        rules = {constraint.name: constraint for constraint in scene.constraints}
+        things: Mapping[str, object] = materials if track.kind == "material" else rules
+        if track.name not in things:
+            raise SceneError(f"there is no {track.kind} {track.name!r}{suggestion(track.name, things)}")
+        thing = things[track.name]
+    *parts, last = fields_of(track.property)
+    for name in parts:
+        thing = part(thing, name)
         if thing is None:
-            raise SceneError(f"{track} leads nowhere: there is no {part} to move")
-    if last in ("fov", "height") and getattr(thing, last) is None:
+            raise SceneError(f"{track} leads nowhere: there is no {name} to move")
+    field = CONVERSIONS[last][0] if last in CONVERSIONS else last
+    if field in ("fov", "height") and part(thing, field) is None:
         raise SceneError(
-            f"{track} leads nowhere: the camera is {'orthographic' if last == 'fov' else 'perspective'}"
+            f"{track} leads nowhere: the camera is {'orthographic' if field == 'fov' else 'perspective'}"
         )
-    if last == "weights":
+    if track.is_open():
+        _refuse_shape(track, thing, last)
+    if last == "weights" and track.kind == "node":
         _refuse_weights(track, scene, node)
     return node
+
+
+def _refuse_shape(track: Track, thing: object, name: str) -> None:
+    """What moves must be numbers, as many as the curve has."""
+    numbers = {key: np.shape(value) for key, value in parts_of(thing).items() if isinstance(value, NUMBERS)}
+    if name not in numbers:
+        raise SceneError(f"{track} leads nowhere{suggestion(name, numbers)}")
+    shape = numbers[name]
+    if shape != track.curve.shape:
+        raise SceneError(f"{track} has values of shape {track.curve.shape}; {shape} is needed")
 
 
 def _refuse_weights(track: Track, scene: Scene, node: int) -> None:

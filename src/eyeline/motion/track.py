@@ -1,16 +1,15 @@
-"""What a curve moves: one property of one node or material."""
+"""What a curve moves: one property of one node, material or constraint."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, fields
-from typing import Literal
+from typing import Literal, get_args
 
-from eyeline.errors import SceneError
+from eyeline.errors import SceneError, suggestion
 from eyeline.motion.curve import Curve
 from eyeline.scene.material import DEFAULT
-from eyeline.scene.scene import suggestion
 
-Kind = Literal["node", "material"]
+Kind = Literal["node", "material", "constraint"]
 
 NODE_SHAPES: dict[str, tuple[int, ...] | None] = {
     "translation": (3,),  # metres
@@ -24,10 +23,16 @@ NODE_SHAPES: dict[str, tuple[int, ...] | None] = {
     "light.inner_cone": (),
     "light.outer_cone": (),
     "camera.fov": (),
+    "camera.focal_length": (),  # millimetres on a 24 mm high sensor
+    "camera.focus": (),  # metres
+    "camera.f_number": (),
     "camera.height": (),
     "camera.near": (),
     "camera.far": (),
 }
+
+# Their first names are fields that hold more by name; what is in them, and its shape, is the scene's to say
+OPEN = ("controls", "deform")
 
 SLOT_SHAPES: dict[str, tuple[int, ...]] = {"offset": (2,), "rotation": (), "scale": (2,)}
 
@@ -51,7 +56,11 @@ SHAPES: dict[str, dict[str, tuple[int, ...] | None]] = {"node": NODE_SHAPES, "ma
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A curve, and the property it moves. A node is named by its path, a material by its name."""
+    """A curve, and the property it moves. A node is named by its path, a material or constraint by its name.
+
+    Properties: those of SHAPES; of a node also controls.NAME and deform.NAME.PARAMETER; of a constraint its
+    numbers.
+    """
 
     kind: Kind
     name: str
@@ -60,8 +69,11 @@ class Track:
 
     def __post_init__(self) -> None:
         """Refuse a property that cannot move, and a curve that does not fit it."""
-        if self.kind not in SHAPES:
-            raise SceneError(f"a track moves a node or a material, not a {self.kind!r}")
+        if self.kind not in get_args(Kind):
+            raise SceneError(f"a track moves a node, a material or a constraint, not a {self.kind!r}")
+        if self.is_open():
+            self._refuse_turns(wanted=False)
+            return
         shapes = SHAPES[self.kind]
         if self.property not in shapes:
             near = suggestion(self.property, shapes)
@@ -71,10 +83,15 @@ class Track:
             raise SceneError(f"{self} has values of shape {self.curve.shape}; (targets,) is needed")
         if shape is not None and self.curve.shape != shape:
             raise SceneError(f"{self} has values of shape {self.curve.shape}; {shape} is needed")
-        turns = self.kind == "node" and self.property == "rotation"
-        if turns != self.curve.rotation:
-            wanted = "with" if turns else "without"
-            raise SceneError(f"{self} needs a curve made {wanted} rotation=True")
+        self._refuse_turns(wanted=self.kind == "node" and self.property == "rotation")
+
+    def is_open(self) -> bool:
+        """Whether only a scene can tell if the property is there, and its shape."""
+        return self.kind == "constraint" or (self.kind == "node" and self.property.split(".")[0] in OPEN)
+
+    def _refuse_turns(self, *, wanted: bool) -> None:
+        if wanted != self.curve.rotation:
+            raise SceneError(f"{self} needs a curve made {'with' if wanted else 'without'} rotation=True")
 
     def __str__(self) -> str:
         return f"the track of {self.kind} {self.name!r}, {self.property}"

@@ -5,12 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from eyeline.errors import OptionError
+from eyeline.errors import OptionError, suggestion
 from eyeline.projection.project import checked_size
 from eyeline.projection.sides import checked_cull
 from eyeline.render.sampling import sample_positions
 from eyeline.render.viewpoint import CameraChoice
-from eyeline.scene.scene import suggestion
 from eyeline.shading.look import Look
 from eyeline.visibility import method_named
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from eyeline.errors import SceneError
+from eyeline.errors import SceneError, suggestion
 from eyeline.geometry import transform
 from eyeline.geometry.bounds import Bounds
 from eyeline.scene.camera import Camera
-from eyeline.scene.scene import Scene, suggestion
+from eyeline.scene.scene import Scene
 
 CameraChoice = Camera | str | int | None
 

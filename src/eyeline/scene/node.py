@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
 from eyeline.cached import cached_property
@@ -33,6 +34,7 @@ class Node:
     light: Light | None = None
     instances: FloatArray | None = None  # (K, 4, 4) node_from_instance: the mesh stands K times
     visible: bool = True
+    controls: Mapping[str, float] = field(default_factory=dict)  # numbers by name, for constraints to read
 
     def changed(self, **values: Any) -> Node:
         """This node with other values, unchecked: for code that makes many, film frame after film frame."""

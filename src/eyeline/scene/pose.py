@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from eyeline.cached import cached_property
+from eyeline.errors import SceneError, suggestion
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.hierarchy import world_from_nodes
+from eyeline.scene.constraint import Constraint
 from eyeline.scene.deformation import weights_of
 from eyeline.scene.node import Node
 
@@ -31,6 +34,8 @@ class Samples:
     fixed: Mapping[int, FloatArray] = field(
         default_factory=dict
     )  # nodes a matrix (4, 4) places; it may shear
+    controls: Mapping[int, Mapping[str, FloatArray]] = field(default_factory=dict)  # node -> name -> (T,)
+    paths: tuple[str, ...] = ()  # (N,) of the nodes
 
     @classmethod
     def still(cls, scene: Scene, count: int) -> Samples:
@@ -45,10 +50,45 @@ class Samples:
             for index, node in enumerate(scene.nodes)
             if node.mesh is not None and node.mesh.targets
         }
+        controls = {
+            index: {name: np.full(count, float(value)) for name, value in node.controls.items()}
+            for index, node in enumerate(scene.nodes)
+            if node.controls
+        }
         columns = [
             np.repeat(one, count, axis=0) for one in (places.translation, places.rotation, places.scale)
         ]
-        return cls(columns[0], columns[1], columns[2], weights, places.parents, places.fixed)
+        return cls(
+            columns[0],
+            columns[1],
+            columns[2],
+            weights,
+            places.parents,
+            places.fixed,
+            controls,
+            scene.paths,
+        )
+
+    def find(self, path: str) -> int:
+        """The index of the node with this path, or with this end of a path if only one has it."""
+        return found(path, self.paths)
+
+    def placed(
+        self,
+        node: int,
+        translation: npt.ArrayLike | None = None,
+        rotation: npt.ArrayLike | None = None,
+        scale: npt.ArrayLike | None = None,
+    ) -> Samples:
+        """This pose with other parts (T, 3), (T, 4), (T, 3) of parent_from_node for one node."""
+        parts = {"translation": translation, "rotation": rotation, "scale": scale}
+        values: dict[str, Any] = {
+            name: _with_column(getattr(self, name), node, value)
+            for name, value in parts.items()
+            if value is not None
+        }
+        fixed = {other: matrix for other, matrix in self.fixed.items() if other != node}
+        return replace(self, **values, fixed=fixed)
 
     @cached_property
     def local(self) -> FloatArray:
@@ -64,6 +104,37 @@ class Samples:
         return world_from_nodes(self.translation, self.rotation, self.scale, self.parents, self.fixed)
 
 
+def _with_column(columns: FloatArray, node: int, value: npt.ArrayLike) -> FloatArray:
+    changed = columns.copy()
+    changed[:, node] = value
+    return changed
+
+
+def solved(
+    pose: Samples, constraints: Sequence[Constraint], moved: Mapping[str, Mapping[str, FloatArray]]
+) -> Samples:
+    """A pose with every constraint kept, one after the other; moved: by constraint, its numbers in motion."""
+    for constraint in constraints:
+        pose = constraint(pose, moved.get(constraint.name, {}))
+    return pose
+
+
+def differences(before: Samples, after: Samples) -> dict[int, dict[str, Any]]:
+    """What nodes have become between two poses of one time each (T = 1), as fields of Node."""
+    changes: dict[int, dict[str, Any]] = {}
+    loosened = before.fixed.keys() - after.fixed.keys()
+    for part in ("translation", "rotation", "scale"):
+        old, new = getattr(before, part)[0], getattr(after, part)[0]
+        for node in {*np.flatnonzero((old != new).any(axis=1)).tolist(), *loosened}:
+            changes.setdefault(node, {})[part] = tuple(new[node].tolist())
+    for node in loosened:
+        changes[node]["matrix"] = None
+    for node, weights in after.weights.items():
+        if not np.array_equal(weights, before.weights[node]):
+            changes.setdefault(node, {})["weights"] = tuple(weights[0].tolist())
+    return changes
+
+
 def places_of(nodes: Sequence[Node]) -> Samples:
     """Where nodes stand, once (T = 1); a node placed by a matrix is in `fixed` and at rest in the arrays."""
     return Samples(
@@ -74,3 +145,19 @@ def places_of(nodes: Sequence[Node]) -> Samples:
         np.array([node.parent for node in nodes], dtype=np.int32),
         {index: node.matrix for index, node in enumerate(nodes) if node.matrix is not None},
     )
+
+
+def found(path: str | int, paths: Sequence[str]) -> int:
+    """The index of a node: by its number, its path, or an end of a path that only one has."""
+    if isinstance(path, (int, np.integer)):
+        if not 0 <= path < len(paths):
+            raise SceneError(f"there is no node {path}; the scene has {len(paths)}")
+        return int(path)
+    if path in paths:
+        return paths.index(path)
+    ends = [index for index, full in enumerate(paths) if full.endswith("/" + path)]
+    if len(ends) == 1:
+        return ends[0]
+    if ends:
+        raise SceneError(f"{path!r} is the end of {len(ends)} paths; say which: {paths[ends[0]]!r} ...")
+    raise SceneError(f"there is no node {path!r}{suggestion(path, paths)}")

@@ -2,22 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from eyeline.cached import cached_property
-from eyeline.errors import SceneError
+from eyeline.errors import SceneError, suggestion
 from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.bounds import Bounds
 from eyeline.scene.animation import Animation
 from eyeline.scene.camera import Camera
+from eyeline.scene.constraint import Constraint
 from eyeline.scene.light import Light
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
-from eyeline.scene.pose import Samples, places_of
+from eyeline.scene.pose import Samples, differences, found, places_of, solved
 from eyeline.scene.surface import Surface, surfaces_of
 
 
@@ -33,12 +35,16 @@ class Scene:
     notes: tuple[str, ...] = ()  # one sentence each: what the file held that is not drawn or was repaired
     name: str = ""
     extensions: tuple[str, ...] = ()  # of the format, that its file names
+    constraints: tuple[Constraint, ...] = ()  # kept in this order, after the clip has moved the nodes
 
     def __post_init__(self) -> None:
         """Refuse a tree that is none."""
         for index, node in enumerate(self.nodes):
             if not -1 <= node.parent < index:
                 raise SceneError(f"node {index} ({node.name!r}) has parent {node.parent}; parents come first")
+        names = [constraint.name for constraint in self.constraints]
+        if doubled := {name for name in names if names.count(name) > 1}:
+            raise SceneError(f"constraint {min(doubled)!r} is there twice; one of each name is needed")
 
     def __repr__(self) -> str:
         """What it holds, in a line; its arrays and textures would fill pages."""
@@ -89,20 +95,7 @@ class Scene:
 
     def find(self, path: str | int) -> int:
         """The index of the node with this path, or with this end of a path if only one has it."""
-        if isinstance(path, (int, np.integer)):
-            if not 0 <= path < len(self.nodes):
-                raise SceneError(f"there is no node {path}; the scene has {len(self.nodes)}")
-            return int(path)
-        if path in self.paths:
-            return self.paths.index(path)
-        found = [index for index, full in enumerate(self.paths) if full.endswith("/" + path)]
-        if len(found) == 1:
-            return found[0]
-        if found:
-            raise SceneError(
-                f"{path!r} is the end of {len(found)} paths; say which: {self.paths[found[0]]!r} ..."
-            )
-        raise SceneError(f"there is no node {path!r}{suggestion(path, self.paths)}")
+        return found(path, self.paths)
 
     def __getitem__(self, path: str | int) -> Node:
         return self.nodes[self.find(path)]
@@ -173,12 +166,12 @@ class Scene:
         """This scene as it stands at `time`, seconds, in a clip (the first if none is named).
 
         Pure: any order of times gives the same. The answer stands still: it has no clips, so that whoever
-        gets it, at whatever time, sees this pose. A scene without clips is its own answer.
+        gets it, at whatever time, sees this pose. A scene that nothing moves is its own answer.
         """
         if not np.isfinite(time):
             raise SceneError(f"time is {time}; a finite number of seconds is needed")
         chosen = self.clip(clip)
-        return self if chosen is None else chosen.pose(self, float(time))
+        return self._settled if chosen is None else chosen.pose(self, float(time))
 
     def sample(self, times: npt.ArrayLike, clip: str | int | None = None) -> Samples:
         """Node transforms and morph weights at many times (T,) at once; no scene is copied."""
@@ -186,7 +179,24 @@ class Scene:
         if not np.isfinite(seconds).all():
             raise SceneError("times hold a number that is not finite")
         chosen = self.clip(clip)
-        return Samples.still(self, len(seconds)) if chosen is None else chosen.sample(self, seconds)
+        if chosen is None:
+            return solved(Samples.still(self, len(seconds)), self.constraints, {})
+        return chosen.sample(self, seconds)
+
+    @cached_property
+    def _settled(self) -> Scene:
+        """This scene with its constraints kept, as it stands without a clip."""
+        if not self.constraints:
+            return self
+        rest = Samples.still(self, 1)
+        return self.with_changes(differences(rest, solved(rest, self.constraints, {})))
+
+    def with_changes(self, changes: Mapping[int, Mapping[str, Any]]) -> Scene:
+        """This scene posed: with other fields of some nodes, without what moves them."""
+        nodes = list(self.nodes)
+        for index, values in changes.items():
+            nodes[index] = nodes[index].changed(**values)
+        return replace(self, nodes=tuple(nodes), clips=(), constraints=())
 
 
 def rigid(matrix: FloatArray) -> FloatArray:
@@ -198,12 +208,3 @@ def rigid(matrix: FloatArray) -> FloatArray:
     straight[:3, :3] = np.stack([right, np.cross(back, right), back], axis=-1)
     straight[:3, 3] = matrix[:3, 3]
     return straight
-
-
-def suggestion(name: str, names: Iterable[str]) -> str:
-    """The end of a sentence that refuses a name: the nearest ones there are."""
-    import difflib
-
-    known = list(names)
-    near = difflib.get_close_matches(name, known, n=3, cutoff=0.4) or known[:5]
-    return f"; there is {', '.join(map(repr, near))}" if near else "; there is none"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from eyeline.errors import OptionError
+from eyeline.errors import OptionError, suggestion
 from eyeline.geometry.arrays import ByteArray
 from eyeline.projection.projected import Projected
-from eyeline.scene.scene import Scene, suggestion
+from eyeline.scene.scene import Scene
 from eyeline.shading.frame import Frame
 from eyeline.shading.look import Look
 from eyeline.shading.styles import STYLES

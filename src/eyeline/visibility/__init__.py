@@ -6,9 +6,8 @@ import importlib
 from collections.abc import Iterator, Mapping
 from typing import cast
 
-from eyeline.errors import OptionError
+from eyeline.errors import OptionError, suggestion
 from eyeline.projection.projected import Projected
-from eyeline.scene.scene import suggestion
 from eyeline.visibility.area import Area
 from eyeline.visibility.method import Method, PixelMethod, Step, Visible
 from eyeline.visibility.visible_edges import VisibleEdges
