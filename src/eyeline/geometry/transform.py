@@ -52,6 +52,13 @@ def inverse(matrix: FloatArray) -> FloatArray:
     return undone
 
 
+def determinants(matrices: FloatArray) -> FloatArray:
+    """(...) of matrices (..., 3, 3) or the turning parts of (..., 4, 4), without LAPACK."""
+    (ax, bx, cx), (ay, by, cy), (az, bz, cz) = np.moveaxis(matrices[..., :3, :3], (-2, -1), (0, 1))
+    found: FloatArray = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    return found
+
+
 def decompose(matrix: npt.ArrayLike) -> tuple[FloatArray, FloatArray, FloatArray]:
     """(translation, rotation, scale) of matrices without shear; a mirror becomes a negative x scale."""
     m = np.asarray(matrix, dtype=np.float64)

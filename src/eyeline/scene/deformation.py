@@ -63,7 +63,7 @@ def skinned(mesh: Mesh, node: Node, world: FloatArray) -> tuple[Mesh, FloatArray
     assert node.skin is not None and mesh.joints is not None and mesh.influences is not None
     matrices = joint_matrices(node.skin, world)
     placing = transform.identity()
-    if 2 * (_determinants(matrices) < 0).sum() > len(matrices):
+    if 2 * (transform.determinants(matrices) < 0).sum() > len(matrices):
         placing[0, 0] = -1
         matrices[:, 0] *= -1
     points, normals, tangents = SKINNINGS[node.skin.blending](
@@ -77,9 +77,3 @@ def joint_matrices(skin: Skin, world: FloatArray) -> FloatArray:
     if skin.joints and not 0 <= min(skin.joints) <= max(skin.joints) < len(world):
         raise SceneError(f"skin {skin.name!r} has joints {skin.joints}; the scene has {len(world)} nodes")
     return transform.product(world[list(skin.joints)], np.asarray(skin.joint_from_mesh, dtype=np.float64))
-
-
-def _determinants(matrices: FloatArray) -> FloatArray:
-    (ax, bx, cx), (ay, by, cy), (az, bz, cz) = matrices[:, :3, :3].transpose(1, 2, 0)
-    found: FloatArray = ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
-    return found
