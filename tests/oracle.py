@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from eyeline.comparison.oracle import against, clip_corners, is_decidable, truth
+from eyeline.comparison.oracle import screened, truth
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 
-__all__ = ["against", "clip_corners", "is_decidable", "seen", "truth"]
+__all__ = ["screened", "seen", "truth"]
 
 
 def seen(projected: Projected) -> tuple[npt.NDArray[np.int32], npt.NDArray[np.float32]]:

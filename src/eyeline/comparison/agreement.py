@@ -6,13 +6,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eyeline.comparison.oracle import clip_corners, is_decidable, truth
+from eyeline.comparison.oracle import screened, truth
 from eyeline.geometry.arrays import BoolArray
 from eyeline.projection.projected import Projected
 from eyeline.scene.scene import Scene
 from eyeline.visibility.method import Visible
 
-MOST_FACES = 20_000  # that the oracle looks at
+MOST_FACES = 200_000  # that the oracle looks at
 MOST_DOUBTED = 500  # pixels looked at one by one, where the depth buffer is the judge
 
 
@@ -42,11 +42,11 @@ class Judge:
         if self.decidable is not None:
             return Agreement(different, different & self.decidable)
         size = self.projected.width, self.projected.height
-        corners, sides = clip_corners(self.scene, self.projected.camera, size, self.cull)
+        faces = screened(self.scene, self.projected.camera, size, self.cull)
         wrong = np.zeros_like(different)
         places = np.argwhere(different)
         for row, column in places[:MOST_DOUBTED]:
-            wrong[row, column] = is_decidable(corners, sides, size, int(column), int(row))
+            wrong[row, column] = faces.is_decidable(int(column), int(row))
         return Agreement(different, wrong, max(0, len(places) - MOST_DOUBTED))
 
     @property
