@@ -58,7 +58,7 @@ def truth(scene: Scene, camera: Camera, size: tuple[int, int], cull: str = "auto
 
 
 def places(boxes: IntArray) -> Iterator[tuple[IntArray, IntArray, IntArray]]:
-    """(face, column, row), each (K,), of all pixels in the boxes (F, 4) of faces, face after face, in blocks."""
+    """(face, column, row), each (K,), of all pixels in boxes (F, 4), face after face, in blocks."""
     left, top, right, bottom = boxes.T
     wide, count = right - left, (right - left) * (bottom - top)
     ends = np.cumsum(count)
@@ -82,9 +82,9 @@ class Screened:
     def at(
         self, columns: FloatArray | float, rows: FloatArray | float, faces: IntArray | None = None
     ) -> Verdict:
-        """(certainly covered, possibly covered, depth, slack) of faces (K,), all if left out, each at a sample.
+        """(certainly covered, possibly covered, depth, slack) of faces, each at a sample.
 
-        faces: rising.
+        faces: (K,) rising; all if left out.
         """
         chosen = slice(None) if faces is None else faces if faces[0] < faces[-1] else faces[:1]
         reach = along(self.edges[..., chosen], columns, rows).min(axis=0)
