@@ -9,7 +9,19 @@ from typing import Annotated
 import typer
 
 from eyeline.cli.progress import progress_bar
-from eyeline.cli.values import Debug, Json, Quiet, SceneName, Size, clip_of, scene_of, size_of
+from eyeline.cli.values import (
+    CameraName,
+    ClipName,
+    Debug,
+    Json,
+    Quiet,
+    SceneName,
+    Size,
+    Time,
+    clip_of,
+    scene_of,
+    size_of,
+)
 from eyeline.errors import FileError
 
 Out = Annotated[
@@ -20,12 +32,6 @@ Out = Annotated[
     ),
 ]  # fmt: skip
 Methods = Annotated[str | None, typer.Option(metavar="NAME,NAME", help="Which methods.", show_default="all")]
-Time = Annotated[float, typer.Option(help="Seconds: when the scene is looked at.")]
-ClipName = Annotated[str | None, typer.Option(help="A clip's name or number.", show_default="the first")]
-CameraName = Annotated[
-    str | None,
-    typer.Option(help="A camera's name or number.", show_default="the first, or a view that frames all"),
-]
 Climb = Annotated[
     bool, typer.Option("--ladder", help="Also how time grows with faces and with pixels; takes minutes.")
 ]

@@ -12,8 +12,19 @@ from typing import Annotated
 import typer
 
 from eyeline.cli.progress import say
-from eyeline.cli.render import CameraName, ClipName
-from eyeline.cli.values import Debug, Json, Quiet, SceneName, Size, clip_of, scene_of, size_of
+from eyeline.cli.values import (
+    CameraName,
+    ClipName,
+    Debug,
+    Json,
+    Quiet,
+    SceneName,
+    Size,
+    Time,
+    clip_of,
+    scene_of,
+    size_of,
+)
 from eyeline.errors import OptionError
 
 Out = Annotated[
@@ -22,7 +33,6 @@ Out = Annotated[
         "--output", "-o", metavar="OUT", show_default=False, help="A drawing: .svg, .pdf or .dxf.",
     ),
 ]  # fmt: skip
-Time = Annotated[float, typer.Option(help="Seconds: when it is drawn.")]
 Hidden = Annotated[str, typer.Option(help="What something stands before: omit or dashed.")]
 Edges = Annotated[
     str, typer.Option(metavar="KIND,KIND", help="Of outline, boundary, crease, intersection, mesh.")

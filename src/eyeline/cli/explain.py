@@ -10,7 +10,19 @@ from typing import Annotated
 import typer
 
 from eyeline.cli.progress import progress_bar
-from eyeline.cli.values import Debug, Json, Quiet, SceneName, Size, clip_of, scene_of, size_of
+from eyeline.cli.values import (
+    CameraName,
+    ClipName,
+    Debug,
+    Json,
+    Quiet,
+    SceneName,
+    Size,
+    Time,
+    clip_of,
+    scene_of,
+    size_of,
+)
 from eyeline.errors import FileError
 
 MethodName = Annotated[str, typer.Argument(metavar="METHOD", help="zbuffer, warnock ...", show_default=False)]
@@ -21,12 +33,6 @@ Out = Annotated[
         help="A film (.mp4 .webm .gif .webp), a page (.html), a sheet of steps (.svg), or data (.json).",
     ),
 ]  # fmt: skip
-Time = Annotated[float, typer.Option(help="Seconds: when the scene is looked at.")]
-ClipName = Annotated[str | None, typer.Option(help="A clip's name or number.", show_default="the first")]
-CameraName = Annotated[
-    str | None,
-    typer.Option(help="A camera's name or number.", show_default="the first, or a view that frames all"),
-]
 Faces = Annotated[int, typer.Option(help="A larger scene is shown with about so many faces.")]
 
 

@@ -12,6 +12,8 @@ import typer
 
 from eyeline.cli.progress import progress_bar, say
 from eyeline.cli.values import (
+    CameraName,
+    ClipName,
     Debug,
     Json,
     Quiet,
@@ -37,11 +39,6 @@ Time = Annotated[float | None, typer.Option(help="Seconds: when the picture is t
 Fps = Annotated[float | None, typer.Option(help="Frames a second.", show_default="24")]
 Start = Annotated[float | None, typer.Option(help="Seconds: where the film begins.", show_default="0")]
 End = Annotated[float | None, typer.Option(help="Seconds: where it ends.", show_default="the clip's end")]
-ClipName = Annotated[str | None, typer.Option(help="A clip's name or number.", show_default="the first")]
-CameraName = Annotated[
-    str | None,
-    typer.Option(help="A camera's name or number.", show_default="the first, or a view that frames all"),
-]
 Turntable = Annotated[
     float | None,
     typer.Option(metavar="SECONDS", help="The camera goes once around the scene.", show_default=False),

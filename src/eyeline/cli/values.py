@@ -25,6 +25,12 @@ Json = Annotated[bool, typer.Option("--json", help="Print data for programs.")]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no notes.")]
 Debug = Annotated[bool, typer.Option("--debug", help="Print the traceback of a defect.")]
 Size = Annotated[str, typer.Option(metavar="WIDTHxHEIGHT", help="Pixels.")]
+Time = Annotated[float, typer.Option(help="Seconds: when the scene is looked at.")]
+ClipName = Annotated[str | None, typer.Option(help="A clip's name or number.", show_default="the first")]
+CameraName = Annotated[
+    str | None,
+    typer.Option(help="A camera's name or number.", show_default="the first, or a view that frames all"),
+]
 
 
 def size_of(text: str) -> tuple[int, int]:
