@@ -60,11 +60,12 @@ def judged(trial: Trial, comparison: Comparison) -> tuple[tuple[str, ...], bool 
 
 
 def judge_line(comparison: Comparison) -> str:
-    """Who judges, in a sentence."""
+    """What is known of the scene, and who judges, in sentences."""
+    notes = "".join(f"{note[:1].upper()}{note[1:]}. " for note in comparison.scene.notes)
     share = comparison.judge.share
     if share is None:
-        return "Judged by the depth buffer; pixels that differ are looked at in exact geometry."
-    return f"Judged by brute force; {share:.2%} of the pixels are beyond doubt."
+        return f"{notes}Judged by the depth buffer; pixels that differ are looked at in exact geometry."
+    return f"{notes}Judged by brute force; {share:.2%} of the pixels are beyond doubt."
 
 
 def milliseconds(seconds: float) -> str:

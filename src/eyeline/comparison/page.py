@@ -22,9 +22,14 @@ STYLE = """
 .eyeline th { text-align: left; font-weight: 400; color: #6c717b; padding: 0 .7rem; }
 .eyeline td { background: #fff; padding: .5rem .7rem; vertical-align: top; }
 .eyeline td { font-variant-numeric: tabular-nums; }
-.eyeline td div + div { color: #6c717b; font-size: .88em; }
+.eyeline td div { white-space: nowrap; }
+.eyeline td div + div, .eyeline td.work { color: #6c717b; font-size: .88em; }
+.eyeline td.said div { white-space: normal; min-width: 12em; max-width: 22em; }
+.eyeline td.work { columns: 2; column-gap: 1.2em; }
+.eyeline td.work div { font-size: 1em; break-inside: avoid; }
 .eyeline .good { color: #1f8a4c; } .eyeline .bad { color: #c2342b; }
 .eyeline img { display: block; max-width: 100%; }
+.eyeline td img { width: 150px; max-width: none; }
 .eyeline .plots { display: flex; flex-wrap: wrap; gap: 1rem; }
 """
 
@@ -61,10 +66,10 @@ def cells(row: Row, pictures: tuple[PIL.Image.Image | None, PIL.Image.Image | No
     """The cells of one method."""
     for shown, told in zip(pictures, (f"what {row.method} sees", f"where {row.method} differs"), strict=True):
         yield f"<td>{picture(shown, told) if shown is not None else ''}</td>"
-    verdict = {None: "", True: "good", False: "bad"}[row.agrees]
+    verdict = {None: "said", True: "said good", False: "said bad"}[row.agrees]
     groups = (
         ((row.method, row.space), ""), (row.time, ""), ((row.first,), ""), ((row.memory,), ""),
-        (row.agreement, verdict), (row.work, ""),
+        (row.agreement, verdict), (row.work, "work"),
     )  # fmt: skip
     for words, look in groups:
         inside = "".join(f"<div>{html.escape(line)}</div>" for line in words)

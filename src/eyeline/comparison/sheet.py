@@ -21,8 +21,8 @@ PAPER, STAGE, INK, FAINT, GOOD, BAD = "#f7f5f0", "#ffffff", "#22252b", "#6c717b"
 WIDE, MARGIN, HEAD, GAP = 1780, 28, 112, 14  # pixels
 COLUMNS = (0, 104, 246, 346, 452, 712)  # of the headings, from where the text begins
 TEXT, SMALL, TITLE = 18, 15, 26
-LINE = 22
-WORK_LINES, WORK_COLUMN = 5, 232  # of the counters: rows, and pixels from one column to the next
+LINE, WORK_LINE = 22, 20
+WORK_LINES, WORK_COLUMN = 6, 232  # of the counters: rows, and pixels from one column to the next
 REFUSAL = 42  # characters of a line
 
 
@@ -74,11 +74,12 @@ def write(draw: PIL.ImageDraw.ImageDraw, row: Row, left: int, top: int) -> None:
     for number, (words, colour) in enumerate(cells):
         for place, line in enumerate(words):
             shade = colour if place == 0 or number == len(cells) - 1 else FAINT
-            at = left + COLUMNS[number], top + LINE * place + 2 * (place > 0)
-            draw.text(at, line, shade, type_of(SMALL if place else TEXT))
-    for place, line in enumerate(row.work[: 2 * WORK_LINES]):
+            small = place > 0 or (number == len(cells) - 1 and row.agrees is None)
+            at = left + COLUMNS[number], top + LINE * place + 2 * small
+            draw.text(at, line, shade, type_of(SMALL if small else TEXT))
+    for place, line in enumerate(row.work):
         column, below = divmod(place, WORK_LINES)
-        at = left + COLUMNS[-1] + column * WORK_COLUMN, top + 2 + LINE * below
+        at = left + COLUMNS[-1] + column * WORK_COLUMN, top + 2 + WORK_LINE * below
         draw.text(at, line, FAINT, type_of(SMALL))
     draw.text((left, top + LINE + 2), row.space, FAINT, type_of(SMALL))
 

@@ -8,11 +8,12 @@ import PIL.ImageDraw
 
 from eyeline.comparison.comparison import Comparison
 from eyeline.comparison.trial import Trial
-from eyeline.geometry.arrays import BoolArray, ByteArray
+from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray
 from eyeline.shading.face_colours import face_colours
 from eyeline.visibility.method import Visible
 
 WIDTH, HEIGHT = 256, 144  # pixels: the most
+PALEST = 0.4  # of DIFFERENT, where a single pixel differs
 PAPER, SEEN, DIFFERENT, WRONG, INK = (
     (255, 255, 255),
     (222, 224, 229),
@@ -48,19 +49,28 @@ def answer_picture(comparison: Comparison, trial: Trial, colours: ByteArray) -> 
 
 
 def map_of(comparison: Comparison, trial: Trial) -> PIL.Image.Image | None:
-    """Where a method differs from the judge: amber where rounding decides, red where it is wrong."""
+    """Where a method differs from the judge: amber where rounding decides, red where it is wrong.
+
+    Amber is the stronger the more of a thumbnail's pixel differs; red is red, however little is wrong.
+    """
     found = comparison.agreements.get(trial.name)
     if found is None:
         return None
     size = size_of(comparison)
-    shown = np.full((size[1], size[0], 3), PAPER, np.uint8)
-    for where, colour in (
-        (comparison.judge.face >= 0, SEEN),
-        (found.different, DIFFERENT),
-        (found.wrong, WRONG),
-    ):
-        shown[any_in_block(where, size)] = colour
-    return PIL.Image.fromarray(shown)
+    shown = np.full((size[1], size[0], 3), PAPER, np.float64)
+    shown[any_in_block(comparison.judge.face >= 0, size)] = SEEN
+    strength = any_in_block(found.different, size) * np.sqrt(share_in_block(found.different, size)).clip(
+        PALEST
+    )
+    shown += strength[..., None] * (np.array(DIFFERENT) - shown)
+    shown[any_in_block(found.wrong, size)] = WRONG
+    return PIL.Image.fromarray(np.round(shown).astype(np.uint8))
+
+
+def share_in_block(where: BoolArray, size: tuple[int, int]) -> FloatArray:
+    """(h, w) the part of the pixels that falls on each pixel of a smaller picture and is marked."""
+    fine = PIL.Image.fromarray(where.astype(np.float32))
+    return np.asarray(fine.resize(size, PIL.Image.Resampling.BOX), dtype=np.float64)
 
 
 def any_in_block(where: BoolArray, size: tuple[int, int]) -> BoolArray:
