@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -95,6 +97,18 @@ def test_a_flat_face_is_no_body() -> None:
 
 def test_steps_keep_what_is_kept() -> None:
     picture = projected(BALL)
-    steps = list(BACKFACE.steps(picture))
+    *steps, last = BACKFACE.steps(picture)
     assert [step.data["stays"] for step in steps] == kept(picture).tolist()
-    assert steps[-1].work == {"faces": len(FACES), "faces turned away": int((~kept(picture)).sum())}
+    assert last.work == {"faces": len(FACES), "faces turned away": int((~kept(picture)).sum())}
+    assert np.array_equal(last.data["face"], BACKFACE(picture).face)
+
+
+def test_steps_say_which_way_a_face_turns() -> None:
+    first, *_, last = BACKFACE.steps(projected(BALL, BALL))
+    assert re.fullmatch(r"face 0 turns (counter-)?clockwise around \d+\.\d pixels: its .*", first.sentence)
+    assert ("stays" in first.sentence) == ("front" in first.sentence) == first.data["stays"]
+    assert "not 2" in last.sentence
+    edge_on = soups.picture(
+        [(0, 0), (600, 300), (1200, 600)], np.ones(3), [[0, 1, 2]], np.array([1]), SIZE, 0
+    )
+    assert next(BACKFACE.steps(edge_on)).sentence == "face 0 is edge-on, N . V is 0: it goes"

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -19,6 +18,7 @@ from eyeline.cached import cached_property
 from eyeline.explanation.explanation import Explanation
 from eyeline.explanation.frames import Frame, Mark, Points
 from eyeline.explanation.roles import (
+    CHANGED,
     DOT,
     FAINT,
     INK,
@@ -27,8 +27,11 @@ from eyeline.explanation.roles import (
     PAPER,
     ROLES,
     STAGE,
+    Look,
     canvas,
+    legend,
     network,
+    notes_of,
     paint,
     picture,
     title_of,
@@ -41,9 +44,9 @@ from eyeline.render.overlap import overlapped
 
 SIZE = (1280, 720)
 FINE = 2  # the stage is drawn so many times larger, then made smaller: that smooths its edges
-MARGIN, HEAD, FOOT, SIDE = 28, 64, 116, 300  # pixels around the stage
+MARGIN, HEAD, FOOT, SIDE = 28, 76, 110, 300  # pixels around the stage
 TEXT, SMALL, TITLE = 21, 17, 26  # heights of type
-LINE = 86  # characters of the sentence's lines
+ROW, KEY_ROW = 26, 24  # pixels from a counter to the next, and from a colour's meaning to the next
 LAST_SECONDS = 2.0  # the answer stays
 
 
@@ -52,6 +55,7 @@ class Board:
     """Where an explanation's pictures are drawn: the stage in fine pixels, all else in plain ones."""
 
     explanation: Explanation
+    legend: Mapping[str, Look]  # of the roles that are used
 
     @cached_property
     def scale(self) -> float:
@@ -84,29 +88,39 @@ class Board:
         """What no step changes."""
         image = PIL.Image.new("RGB", SIZE, PAPER)
         draw = PIL.ImageDraw.Draw(image)
-        draw.text((MARGIN, HEAD / 2), title_of(self.explanation), INK, type_of(TITLE), anchor="lm")
-        notice = "; ".join(self.explanation.notices)
-        draw.text((SIZE[0] - MARGIN, HEAD / 2), notice, FAINT, type_of(SMALL), anchor="rm")
+        notes = notes_of(self.explanation)
+        middle = 0.33 * HEAD if notes else 0.5 * HEAD
+        draw.text((MARGIN, middle), title_of(self.explanation), INK, type_of(TITLE), anchor="lm")
+        draw.text((MARGIN, 0.74 * HEAD), notes, FAINT, type_of(SMALL), anchor="lm")
+        left, y = SIZE[0] - SIDE, SIZE[1] - FOOT - KEY_ROW * len(self.legend)
+        for row, look in enumerate(self.legend.values()):
+            middle = y + KEY_ROW * row + KEY_ROW / 2
+            draw.rectangle((left, middle - 6, left + 12, middle + 6), fill=look.colour)
+            draw.text((left + 22, middle), look.meaning, FAINT, type_of(SMALL), anchor="lm")
         return image
 
     def placed(self, points: Points) -> Points:
         """Explained pixels on the stage."""
         return [(x * self.scale, y * self.scale) for x, y in points]
 
-    def drawn(self, frame: Frame, seen: IntArray, ink: list[Mark]) -> ByteArray:
-        """(H, W, 4): the picture so far (H, W), marks that stay, and a frame's own."""
+    def drawn(
+        self, frame: Frame, seen: IntArray, ink: PIL.Image.Image, before: Mapping[str, int]
+    ) -> ByteArray:
+        """(H, W, 4): the picture so far (H, W), the sheet of marks that stay, and a frame's own.
+
+        before: the counters of the frame before this one; those that changed stand out.
+        """
         stage = self.stage.copy()
         shown = PIL.Image.fromarray(picture(seen, self.explanation.colours))
         large = shown.resize(stage.size, PIL.Image.Resampling.NEAREST)
         stage.paste(large, (0, 0), large)
+        stage.paste(ink, (0, 0), ink)
         draw = PIL.ImageDraw.Draw(stage, "RGBA")
-        for mark in ink:
-            self.mark(draw, mark, INK_WIDTH)
         for mark in frame.marks:
             self.mark(draw, mark, 1.0)
         image = self.background.copy()
         image.paste(stage.reduce(FINE), self.corner)
-        self.say(PIL.ImageDraw.Draw(image), frame)
+        self.say(PIL.ImageDraw.Draw(image), frame, before)
         return np.asarray(image.convert("RGBA"))
 
     def mark(self, draw: PIL.ImageDraw.ImageDraw, mark: Mark, weight: float) -> None:
@@ -127,20 +141,34 @@ class Board:
         else:
             draw.line(points, fill=look.colour, width=width, joint="curve")
 
-    def say(self, draw: PIL.ImageDraw.ImageDraw, frame: Frame) -> None:
+    def say(self, draw: PIL.ImageDraw.ImageDraw, frame: Frame, before: Mapping[str, int]) -> None:
         """The sentence under the stage, the counters beside it, and how far the method is."""
-        for row, line in enumerate(textwrap.wrap(frame.sentence, LINE)[:2]):
+        for row, line in enumerate(lines_of(frame.sentence, SIZE[0] - 2 * MARGIN)[:2]):
             draw.text((MARGIN, SIZE[1] - FOOT + 16 + 28 * row), line, INK, type_of(TEXT))
         whole, y = SIZE[0] - 2 * MARGIN, SIZE[1] - 26
         part = whole * frame.number / max(1, len(self.explanation))
         draw.rectangle((MARGIN, y, MARGIN + whole, y + 3), fill=NETWORK)
         draw.rectangle((MARGIN, y, MARGIN + part, y + 3), fill=ROLES["subject"].colour)
-        rows = [("step", f"{frame.number:,} of {len(self.explanation):,}"), ("", "")]
-        rows += [(name, f"{count:,}") for name, count in frame.work.items()]
-        for row, (name, value) in enumerate(rows):
-            y = HEAD + 10 + 30 * row
+        place = f"{frame.number:,} of {len(self.explanation):,}"
+        rows = [("step", place, INK), ("", "", INK)]
+        for name, count in frame.work.items():
+            rows.append((name, f"{count:,}", INK if count == before.get(name, 0) else CHANGED))
+        for row, (name, value, colour) in enumerate(rows):
+            y = HEAD + ROW * row
             draw.text((SIZE[0] - SIDE, y), name, FAINT, type_of(SMALL))
-            draw.text((SIZE[0] - MARGIN, y), value, INK, type_of(SMALL), anchor="ra")
+            draw.text((SIZE[0] - MARGIN, y), value, colour, type_of(SMALL), anchor="ra")
+
+
+def lines_of(sentence: str, width: int) -> list[str]:
+    """A sentence in lines of at most `width` pixels."""
+    lines = [""]
+    for word in sentence.split():
+        longer = f"{lines[-1]} {word}".lstrip()
+        if lines[-1] and type_of(TEXT).getlength(longer) > width:
+            lines.append(word)
+        else:
+            lines[-1] = longer
+    return lines
 
 
 @cache
@@ -162,11 +190,16 @@ def dashes(
 
 def pictures(explanation: Explanation, most: int) -> Iterator[ByteArray]:
     """(H, W, 4) of every frame."""
-    board, seen, ink = Board(explanation), canvas(explanation), list[Mark]()
-    for frame in explanation.frames(most):
+    frames = list(explanation.frames(most))
+    board, seen = Board(explanation, legend(frames)), canvas(explanation)
+    # Marks that stay are drawn once, on a clear sheet over the stage
+    ink, work = PIL.Image.new("RGBA", board.stage.size), dict[str, int]()
+    for frame in frames:
         paint(seen, frame)
-        ink += frame.ink
-        yield board.drawn(frame, seen, ink)
+        for mark in frame.ink:
+            board.mark(PIL.ImageDraw.Draw(ink), mark, INK_WIDTH)
+        yield board.drawn(frame, seen, ink, work)
+        work = dict(frame.work)
 
 
 def write(explanation: Explanation, path: Path, most: int, fps: int, progress: Progress | None) -> None:

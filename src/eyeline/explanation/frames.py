@@ -129,17 +129,19 @@ def marks_of(step: Step, outlines: Outlines) -> Iterator[Mark]:
 
 
 def ink_of(step: Step) -> Iterator[Mark]:
-    """What of a step's marks stays: areas that are settled, and lines that are seen."""
+    """What of a step's marks stays: areas and faces that are settled, and lines that are seen."""
     if step.data.get("settled"):
         for left, top, right, bottom in listed(step.data, "rectangle", "rectangles"):
             yield Mark("polygon", "area", rectangle(left, top, right, bottom))
+        for corners in listed(step.data, "polygon", "polygons"):
+            yield Mark("polygon", "kept", points_of(corners))
         for ends in step.data.get("segments", ()):
             yield Mark("line", "kept", points_of(ends))
 
 
 def listed(data: Mapping[str, Any], one: str, many: str) -> Iterable[Any]:
-    """What stands under a name or under its plural."""
-    return [data[one]] if one in data else data.get(many, ())
+    """What stands under a name, and under its plural."""
+    return itertools.chain([data[one]] if one in data else (), data.get(many, ()))
 
 
 def faces_in(faces: Any) -> list[int]:

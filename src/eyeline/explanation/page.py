@@ -17,9 +17,10 @@ from eyeline.explanation.roles import (
     INK_WIDTH,
     NETWORK,
     PAPER,
-    ROLES,
     STAGE,
+    legend,
     network,
+    notes_of,
     title_of,
 )
 
@@ -44,21 +45,22 @@ def embedded(explanation: Explanation) -> str:
 def data_of(explanation: Explanation) -> str:
     """Everything the page shows, as JSON."""
     projected = explanation.projected
+    frames = list(explanation.frames(PAGE_FRAMES))
     counters = list(explanation.steps[-1].work) if explanation.steps else []
     data = {
         "title": title_of(explanation),
-        "notices": explanation.notices,
+        "notes": notes_of(explanation),
         "width": projected.width,
         "height": projected.height,
         "steps": len(explanation),
         "colours": ["#" + bytes(row).hex() for row in explanation.colours],
         "network": [flat(corners) for corners in network(explanation)],
-        "roles": {role: look._asdict() for role, look in ROLES.items()},
+        "roles": {role: look._asdict() for role, look in legend(frames).items()},
         "theme": {"paper": PAPER, "stage": STAGE, "ink": INK, "faint": FAINT, "network": NETWORK},
         "ink_width": INK_WIDTH,
         "dot": DOT,
         "counters": counters,
-        "frames": [frame_of(frame, projected.width) for frame in explanation.frames(PAGE_FRAMES)],
+        "frames": [frame_of(frame, projected.width) for frame in frames],
     }
     return json.dumps(data, separators=(",", ":"))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
@@ -11,6 +12,7 @@ from eyeline.explanation.frames import Frame, Outlines, Points
 from eyeline.geometry.arrays import ByteArray, IntArray
 
 PAPER, STAGE, INK, FAINT = "#f7f5f0", "#ffffff", "#22252b", "#8b8f98"
+CHANGED = "#b85f00"  # a counter that a step moved
 NETWORK = "#c9ccd3"  # the faces' edges under everything
 
 
@@ -40,6 +42,17 @@ INK_WIDTH = 0.5  # of their width, for marks that stay
 def title_of(explanation: Explanation) -> str:
     """What heads an explanation."""
     return f"{explanation.method.name} · {explanation.scene.name or 'scene'}"
+
+
+def notes_of(explanation: Explanation) -> str:
+    """What is said beside the title: what is hard about the scene, what was made smaller."""
+    return "; ".join((*explanation.scene.notes, *explanation.notices))
+
+
+def legend(frames: Iterable[Frame]) -> dict[str, Look]:
+    """The roles that some frames use, in the order of ROLES."""
+    used = {mark.role for frame in frames for mark in (*frame.marks, *frame.ink)}
+    return {role: look for role, look in ROLES.items() if role in used}
 
 
 def network(explanation: Explanation) -> list[Points]:

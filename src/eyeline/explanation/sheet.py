@@ -20,6 +20,7 @@ from eyeline.explanation.roles import (
     ROLES,
     STAGE,
     canvas,
+    legend,
     network,
     paint,
     title_of,
@@ -45,6 +46,7 @@ def sheet(explanation: Explanation, most: int) -> str:
         ' font-family="system-ui, sans-serif">',
         f'<rect width="100%" height="100%" fill="{PAPER}"/>',
         f'<text x="{GAP}" y="36" font-size="22" fill="{INK}">{html.escape(title_of(explanation))}</text>',
+        *key(frames, size[0] - GAP),
         f'<defs><g id="network" fill="none" stroke="{NETWORK}" stroke-width="0.06">',
         *(f'<polygon points="{places(corners)}"/>' for corners in network(explanation)),
         "</g></defs>",
@@ -60,6 +62,13 @@ def sheet(explanation: Explanation, most: int) -> str:
             "</g>",
         ]
     return "\n".join([*parts, "</svg>", ""])
+
+
+def key(frames: list[Frame], right: float) -> Iterator[str]:
+    """What the colours mean, in a line that ends at `right`."""
+    spans = (f'<tspan fill="{look.colour}">■</tspan> {look.meaning}' for look in legend(frames).values())
+    inside = " \u2003".join(spans)
+    yield f'<text x="{right:g}" y="36" font-size="13" text-anchor="end" fill="{INK}">{inside}</text>'
 
 
 def panel(

@@ -15,9 +15,10 @@ import numpy as np
 
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from eyeline.geometry.fixedpoint import UNITS
 from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
 from eyeline.visibility.fragments import fragments
-from eyeline.visibility.method import Step, Visible
+from eyeline.visibility.method import Step, Visible, counted
 
 CONVEX = 1e-5  # the part of its hull's volume and area that a body may lack; float32 corners cost it 1e-7
 
@@ -41,13 +42,39 @@ class BackFace:
         return Visible(face, depth, projected, self, work)
 
     def steps(self, projected: Projected) -> Iterator[Step]:
-        """Face by face: its signed area, and whether it stays."""
+        """Face by face: which way it turns, and whether it stays; then whether what is left is the answer."""
         stays, areas, removed = kept(projected), signed_areas(projected), 0
-        for face, (stay, area) in enumerate(zip(stays.tolist(), areas.tolist(), strict=True)):
+        sides = np.broadcast_to(projected.sides, len(stays)).tolist()
+        corners, work = projected.xy[projected.faces] / UNITS, {"faces": 0, "faces turned away": 0}
+        for number, (stay, area) in enumerate(zip(stays.tolist(), areas.tolist(), strict=True)):
             removed += not stay
-            sentence = f"face {face}: its area is {area / 131072:g} pixels, it {'stays' if stay else 'goes'}"
-            data = {"face": face, "area": area, "stays": stay}
-            yield Step("face", sentence, data, {"faces": face + 1, "faces turned away": removed})
+            face, work = int(projected.source[number]), {"faces": number + 1, "faces turned away": removed}
+            data = {
+                "face": face, "area": area, "stays": stay, "settled": stay,
+                "polygon": corners[number], "verdict": "kept" if stay else "dropped",
+            }  # fmt: skip
+            yield Step("face", f"face {face} {turn_of(area, sides[number])}", data, work)
+        left = f"{counted(len(stays) - removed, 'face')} of {len(stays)} left"
+        try:
+            answer = self(projected)
+        except SceneError as reason:
+            yield Step("done", f"{left}, for another method to choose from: alone, {reason}", {}, work)
+        else:
+            data = {"face": answer.face, "depth": answer.depth}
+            yield Step("done", f"{left}, and of one convex body they are the whole answer", data, work)
+
+
+def turn_of(area: int, sides: int) -> str:
+    """What twice a face's signed area tells, and what follows where these sides count, in words."""
+    if not sides:
+        return "is hidden: it goes"
+    if not area:
+        return "is edge-on, N . V is 0: it goes"
+    around = f"turns {'' if area > 0 else 'counter-'}clockwise around {abs(area) / (2 * UNITS**2):.1f} pixels"
+    if sides == CLOCKWISE | COUNTER_CLOCKWISE:
+        return f"{around}; both its sides count: it stays"
+    is_front = bool(sides & (CLOCKWISE if area > 0 else COUNTER_CLOCKWISE))
+    return f"{around}: {'its front, N . V > 0: it stays' if is_front else 'its back, N . V < 0: it goes'}"
 
 
 def kept(projected: Projected) -> BoolArray:

@@ -107,6 +107,11 @@ class Visible:
         return area_of(self, node)
 
 
+def counted(count: int, noun: str) -> str:
+    """How many of something, in words: 1 pixel, 3 pixels."""
+    return f"{count:,} {noun}{'s' * (count != 1)}"
+
+
 def nodes_of(face: IntArray, projected: Projected) -> IntArray:
     """The node of every face in an array of scene faces; -1 stays -1."""
     nodes = np.array([surface.node for surface in projected.surfaces], dtype=np.int32)

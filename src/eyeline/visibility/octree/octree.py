@@ -22,7 +22,7 @@ from eyeline.projection.cutting import cut_faces
 from eyeline.projection.projected import Projected
 from eyeline.projection.sides import sides_of
 from eyeline.projection.vertices import place
-from eyeline.visibility.method import Step, Visible
+from eyeline.visibility.method import Step, Visible, counted
 from eyeline.visibility.octree.forest import Forest, of_faces, of_surfaces, on_grid, planted
 from eyeline.visibility.octree.outlook import crossing, survey
 from eyeline.visibility.octree.pyramid import SQUARE_BITS, TILE, key_of
@@ -190,7 +190,7 @@ class Canvas:
     ) -> Generator[Step, None, IntArray]:
         """Leave a node out, draw it if it is a leaf not yet known, or tell its children, nearest first."""
         node = forest.nodes.reshape(-1, WIDTH)[part.node]
-        faces = f"a node of {node[END] - node[BEGIN]} faces"
+        faces = f"a node of {counted(int(node[END] - node[BEGIN]), 'face')}"
         left, top, right, bottom = rectangle = part.within(tile) or tile
         box = (left, top, right + 1, bottom + 1)
         children = np.arange(node[CHILD], node[CHILD] + node[CHILDREN])
@@ -236,7 +236,8 @@ class Canvas:
                     self.keys[y, x] = key
                     taken.append((x, y))
             self.work["depth tests"] += len(tried)
-            sentence = f"face {number} covers {len(tried)} pixels and is the nearest so far at {len(taken)}"
+            pixels = counted(len(tried), "pixel")
+            sentence = f"face {number} covers {pixels} and is the nearest so far at {len(taken)}"
             verdict = "kept" if taken else "dropped"
             data = {"face": number, "pixels": taken, "tested": tried, "verdict": verdict}
             yield Step("drawn", sentence, data, dict(self.work))

@@ -11,7 +11,7 @@ import numpy as np
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
 from eyeline.geometry.bvh import CHILD, EXTENT, MIDDLE, NO_CHILD, NO_FACE, NUMBER
 from eyeline.geometry.crossing import crosses, exact_crosses, side_shown
-from eyeline.visibility.method import Step
+from eyeline.visibility.method import Step, counted
 from eyeline.visibility.raycast.casts import Cast
 from eyeline.visibility.raycast.packets import ROUNDING, SLACK, TILE, counts_for
 
@@ -93,20 +93,18 @@ class Packet:
                 found = list(self.children(here))
                 self.sight.work["nodes opened"] += 1
                 boxes = [self.rectangle(one.pixels) for one in found]
-                yield self.told(
-                    "opened", f"has {len(found)} boxes that rays can meet", here, rectangles=boxes
-                )
+                yield self.told("opened", opens(len(found)), here, rectangles=boxes, verdict="split")
                 # The nearest is looked into first
                 waiting += sorted(found, key=lambda one: -one.nearest)
             else:
                 self.sight.work["leaves opened"] += 1
-                yield self.told("opened", "is a leaf, with faces", here)
+                yield self.told("leaf", "is a leaf: its faces are tested", here, verdict="kept")
                 yield from self.leaf(here)
 
     def told(self, kind: str, what: str, here: Waiting, **data: object) -> Step:
         """A step about a box."""
         rays = (here.pixels.x1 - here.pixels.x0 + 1) * (here.pixels.y1 - here.pixels.y0 + 1)
-        sentence = f"a box at {here.nearest:.4g} m, before {rays} rays, {what}"
+        sentence = f"a box {here.nearest:.4g} m away, in the way of {counted(rays, 'ray')}, {what}"
         return Step(kind, sentence, {"rectangle": self.rectangle(here.pixels), **data}, dict(self.sight.work))
 
     def children(self, here: Waiting) -> Iterator[Waiting]:
@@ -187,10 +185,18 @@ class Packet:
                 taken.append((x, y))
         sight.work["faces tested"] += 1
         sight.work["ray tests"] += len(places)
-        sentence = f"face {face} is tested by {len(places)} rays and is the nearest so far for {len(taken)}"
+        rays = counted(len(places), "ray")
+        sentence = f"face {face} is tested by {rays} and is the nearest so far for {len(taken)}"
         verdict = "kept" if taken else "dropped"
         data = {"face": face, "pixels": taken, "tested": places, "verdict": verdict}
         return Step("tested", sentence, data, dict(sight.work))
+
+
+def opens(boxes: int) -> str:
+    """What becomes of a node that is opened."""
+    if not boxes:
+        return "holds no smaller box that they can meet"
+    return f"is opened: they can meet {boxes} smaller box{'es' * (boxes != 1)}"
 
 
 def first_pixels(low: FloatArray) -> IntArray:

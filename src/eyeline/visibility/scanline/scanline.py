@@ -13,7 +13,7 @@ import numpy as np
 
 from eyeline.geometry.memory import recycled
 from eyeline.projection.projected import Projected
-from eyeline.visibility.method import Step
+from eyeline.visibility.method import Step, counted
 from eyeline.visibility.scanline.edge_table import edge_table
 from eyeline.visibility.scanline.row_spans import Stretch, spans_of_row
 from eyeline.visibility.scanline.segments import Edge, Segment, edges_of, segments_of
@@ -91,15 +91,15 @@ def tabled(projected: Projected, work: dict[str, int]) -> Iterator[tuple[Step, l
             yield Step("dropped", f"face {source} lies beside every pixel", {"face": source}, dict(work)), []
         else:
             work["edges"] += len(edges)
-            rows = ", ".join(str(edge.top) for edge in edges)
-            sentence = f"face {source} has {len(edges)} edges in the table, at rows {rows}"
+            rows = " and ".join(map(str, sorted({edge.top for edge in edges})))
+            sentence = f"face {source} has {counted(len(edges), 'edge')} in the table, from row {rows} on"
             data = {"face": source, "segments": np.array([edge.ends for edge in edges])}
             yield Step("tabled", sentence, data, dict(work)), edges
 
 
 def changed(y: int, active: list[Edge], come: list[Edge], gone: list[Edge], work: dict[str, int]) -> Step:
     """Edges have come into the active edge table at a row, or left it."""
-    sentence = f"row {y}: {len(come)} edges come in, {len(gone)} have ended, {len(active)} are active"
+    sentence = f"row {y}: {counted(len(come), 'edge')} in, {len(gone)} out; {len(active)} active"
     data = {
         "segments": np.array([edge.ends for edge in active]).reshape(-1, 2, 2),
         "faces": sorted({edge.source for edge in come}),

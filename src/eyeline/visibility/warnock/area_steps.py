@@ -12,7 +12,7 @@ from eyeline.cached import cached_property
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.fixedpoint import CENTRE, UNITS, depth_at, edge_bias
 from eyeline.projection.projected import Projected
-from eyeline.visibility.method import Step
+from eyeline.visibility.method import Step, counted
 from eyeline.visibility.warnock.area_lists import TILE, Lists
 from eyeline.visibility.warnock.quartering import SMALL
 from eyeline.visibility.warnock.relations import LEAST_SINGLE, REACH, ROUNDING, SINGLE, WORDS
@@ -188,7 +188,8 @@ def cut_until_easy(area: Box, side: int, given: list[Polygon], canvas: Canvas) -
     elif len(kept) == 1:
         (one,) = kept
         pixels = area.pixels if one is surrounder else one.covered(area)
-        how = "surrounds it and fills it" if one is surrounder else f"is alone in it, on {len(pixels)} pixels"
+        alone = f"is alone in it, on {counted(len(pixels), 'pixel')}"
+        how = "surrounds it and fills it" if one is surrounder else alone
         data |= {"face": one.number, "pixels": canvas.put(one, pixels), "verdict": "kept"}
         kind = "surrounded" if one is surrounder else "one face"
         yield Step(kind, f"{place}: {told}; face {one.number} {how}", data, dict(canvas.work))
@@ -204,13 +205,14 @@ def sampled(area: Box, place: str, kept: list[Polygon], canvas: Canvas) -> Itera
         canvas.work["depth comparisons"] += len(tested)
         taken = canvas.put(one, tested)
         sentence = (
-            f"{place}; too small to cut: face {one.number} is the nearest so far at {len(taken)} of its"
+            f"{place}; too small to cut: face {one.number} covers {counted(len(tested), 'pixel')} of it"
+            f" and is the nearest so far at {len(taken)}"
         )
         data = {
             "rectangle": rectangle, "face": one.number, "pixels": taken, "tested": tested,
             "settled": one is kept[-1], "verdict": "kept" if taken else "dropped",
         }  # fmt: skip
-        yield Step("sampled", f"{sentence} {len(tested)} pixels there", data, dict(canvas.work))
+        yield Step("sampled", sentence, data, dict(canvas.work))
 
 
 def looked_through(
@@ -242,6 +244,6 @@ def looked_through(
         first = [one for one in kept[:earlier] if not surrounder.surely_hides(one, area)]
         work["hidden"] += earlier - len(first)
         kept = first + kept[earlier:]
-    counted = ("surrounding", "intersecting", "contained", "disjoint", "hidden")
-    found = [f"{work[name] - before[name]} {name}" for name in counted if work[name] > before[name]]
+    relations = ("surrounding", "intersecting", "contained", "disjoint", "hidden")
+    found = [f"{work[name] - before[name]} {name}" for name in relations if work[name] > before[name]]
     return ", ".join(found) or "no face", kept, surrounder

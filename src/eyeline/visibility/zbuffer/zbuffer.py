@@ -9,18 +9,17 @@ from functools import partial
 import numpy as np
 
 from eyeline.geometry.arrays import IntArray, read_only
-from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_at, depth_plane
+from eyeline.geometry.coverage import box_of, clockwise, covered
+from eyeline.geometry.fixedpoint import depth_at, depth_plane
 from eyeline.geometry.memory import recycled
 from eyeline.jit import share, threads
-from eyeline.projection.projected import CLOCKWISE, COUNTER_CLOCKWISE, Projected
-from eyeline.visibility.method import Step, Visible
+from eyeline.projection.projected import Projected
+from eyeline.visibility.method import Step, Visible, counted
 from eyeline.visibility.zbuffer import scratch as shelf
 from eyeline.visibility.zbuffer.bands import draw_bands
 from eyeline.visibility.zbuffer.binning import bin_faces
 
 WORK = ("faces", "faces turned away", "faces beside pixels", "depth tests")  # what is counted
-
-Corner = tuple[int, int, np.float32]  # x and y in 1/256 pixel, depth
 
 
 @dataclass(frozen=True)
@@ -49,20 +48,23 @@ class ZBuffer:
         face = np.full((projected.height, projected.width), -1, dtype=np.int32)
         depth = np.zeros(face.shape, dtype=np.float32)
         work = dict.fromkeys(WORK, 0)
+        picture = (0, 0, projected.width - 1, projected.height - 1)
+        sides = np.broadcast_to(projected.sides, len(projected.faces)).tolist()
         for number, source in enumerate(projected.source.tolist()):
             work["faces"] += 1
-            corners = corners_of(projected, number)
+            own = projected.faces[number]
+            vertices = zip(projected.xy[own].tolist(), projected.depth[own], strict=True)
+            corners = clockwise([(x, y, z) for (x, y), z in vertices], sides[number])
             if corners is None:
                 work["faces turned away"] += 1
                 yield Step("dropped", f"face {source} turns away", {"face": source}, dict(work))
                 continue
-            columns, rows = box_of(corners, projected.width, projected.height)
-            if not columns or not rows:
+            if not all(box_of(corners, picture)):
                 work["faces beside pixels"] += 1
                 yield Step("dropped", f"face {source} lies beside every pixel", {"face": source}, dict(work))
                 continue
             a, b, c = depth_plane(*corners[0], *corners[1], *corners[2])
-            taken, tried = [], list(covered(corners, columns, rows))
+            taken, tried = [], list(covered(corners, picture))
             for x, y in tried:
                 own = depth_at(a, b, c, x, y)
                 # Nearer is greater; a tie goes to the lower face; 0 is as far as the back, which is nothing
@@ -70,7 +72,8 @@ class ZBuffer:
                     face[y, x], depth[y, x] = source, own
                     taken.append((x, y))
             work["depth tests"] += len(tried)
-            sentence = f"face {source} covers {len(tried)} pixels and is the nearest so far at {len(taken)}"
+            pixels = counted(len(tried), "pixel")
+            sentence = f"face {source} covers {pixels} and is the nearest so far at {len(taken)}"
             data = {
                 "face": source,
                 "pixels": taken,
@@ -104,43 +107,3 @@ def work_of(projected: Projected, counts: IntArray, tests: int) -> Mapping[str, 
     """The counters, named."""
     numbers = (len(projected.faces), int(counts[2]), int(counts[3]), tests)
     return dict(zip(WORK, numbers, strict=True))
-
-
-# --- the same, to be read ---------------------------------------------------------------------------------
-
-
-def corners_of(projected: Projected, number: int) -> list[Corner] | None:
-    """The corners of a face, clockwise; None if it shows no side that counts."""
-    corners = [
-        (int(projected.xy[vertex, 0]), int(projected.xy[vertex, 1]), projected.depth[vertex])
-        for vertex in projected.faces[number]
-    ]
-    (x0, y0, _), (x1, y1, _), (x2, y2, _) = corners
-    area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)
-    sides = int(projected.sides[number if len(projected.sides) > 1 else 0])
-    if area == 0 or not sides & (CLOCKWISE if area > 0 else COUNTER_CLOCKWISE):
-        return None
-    return corners if area > 0 else [corners[0], corners[2], corners[1]]
-
-
-def box_of(corners: list[Corner], width: int, height: int) -> tuple[range, range]:
-    """The columns and rows of pixels in the picture whose centres a face can cover."""
-    (left, right), (top, bottom) = (
-        ((min(line) + BEFORE_CENTRE) >> 8, (max(line) + BEFORE_CENTRE) >> 8)
-        for line in ([corner[0] for corner in corners], [corner[1] for corner in corners])
-    )
-    return range(max(left, 0), min(right, width)), range(max(top, 0), min(bottom, height))
-
-
-def covered(corners: list[Corner], columns: range, rows: range) -> Iterator[tuple[int, int]]:
-    """The pixels (x, y) whose centres are inside a face, or on a top or left edge of it."""
-    edges = []
-    for (x0, y0, _), (x1, y1, _) in zip(corners, corners[1:] + corners[:1], strict=True):
-        a, b = y0 - y1, x1 - x0
-        left_or_top = a > 0 or (a == 0 and b > 0)
-        edges.append((a, b, x0, y0, 0 if left_or_top else 1))
-    for y in rows:
-        for x in columns:
-            px, py = UNITS * x + CENTRE, UNITS * y + CENTRE
-            if all(a * (px - x0) + b * (py - y0) >= least for a, b, x0, y0, least in edges):
-                yield x, y
