@@ -63,6 +63,21 @@ def audit(scene: Scene, answer: VisibleEdges, count: int = 300, seed: int = 0) -
     return Verdict(samples, decided, tuple(wrong))
 
 
+def specks(scene: Scene, answer: VisibleEdges) -> list[int]:
+    """The seen segments shorter than `line_oracle.SPECK` that are hidden in exact arithmetic."""
+    camera, size = answer.projected.camera, (answer.projected.width, answer.projected.height)
+    screen, clip = line_oracle.on_screen(scene, camera, size), clip_ends(answer)
+    length = np.hypot(*(answer.segments[:, 1] - answer.segments[:, 0]).T)
+    found = []
+    for row in np.flatnonzero(length < line_oracle.SPECK):
+        edge = answer.edge[row]
+        place = on_edge(clip[edge], answer.segments[row].mean(axis=0), size, camera.fov is not None)
+        own = answer.faces[edge].astype(np.int64)
+        if line_oracle.hidden(screen, place, own, 0.0, camera, size)[0]:
+            found.append(int(row))
+    return found
+
+
 def shown(screen: line_oracle.Screen) -> npt.NDArray[np.int64]:
     """The faces that show a side that counts."""
     a, b, c = (screen.corners[:, k] for k in range(3))

@@ -20,6 +20,7 @@ from eyeline.scene.camera import Camera
 from eyeline.scene.scene import Scene
 
 REACH = 16  # units of the grid
+SPECK = 0.1  # pixels: a shorter piece is too short for `audit`, whose samples keep away from its ends
 ACROSS = 2**24  # units at least half of which are the longer side of the picture
 
 Floats = npt.NDArray[np.float64]
@@ -99,6 +100,20 @@ def audit(
                 told = "seen" if claim else "hidden"
                 wrong.append(f"segment {row} is not {told} at ({x:.4f}, {y:.4f}), {along:.4f} along it")
     return Verdict(samples, decided, tuple(wrong))
+
+
+def specks(scene: Scene, camera: Camera, size: tuple[int, int], segments: Segments) -> list[int]:
+    """The seen segments shorter than SPECK, that are hidden in exact arithmetic."""
+    camera = camera.fitted(scene.bounds)
+    screen = on_screen(scene, camera, size)
+    ends = projected(segments.world.reshape(-1, 3), camera, size).reshape(-1, 2, 3)
+    length = np.hypot(*(ends[:, 1, :2] - ends[:, 0, :2]).T)
+    middle = ends.mean(axis=1)
+    return [
+        int(row)
+        for row in np.flatnonzero(segments.seen & (length < SPECK))
+        if hidden(screen, tuple(middle[row]), segments.faces[row], 0.0, camera, size)[0]
+    ]
 
 
 def hidden(

@@ -137,6 +137,20 @@ def test_real_models_from_all_around(name: str) -> None:
         assert verdict.decided > 0.9 * verdict.samples > 200
 
 
+@pytest.mark.parametrize("name", ["ball", "torus", "bunny"])
+def test_dense_meshes_have_no_specks(name: str) -> None:
+    """A line that ends at a corner of the face that hides it is hidden from that corner on."""
+    scene = {
+        "ball": lambda: Scene.of(Mesh(*soups.ball(70))),
+        "torus": el.samples.torus,
+        "bunny": lambda: el.load(data("mesh/stanford-bunny.obj")),
+    }[name]()
+    camera = Camera.framing(scene.bounds, 16 / 9)
+    lines = lines_of(scene, camera, (1280, 720), ("outline", "boundary", "crease", "mesh"), BEND)
+    assert lines.seen.sum() > 4000
+    assert line_oracle.specks(scene, camera, (1280, 720), segments(lines)) == []
+
+
 @pytest.mark.parametrize("name", el.samples.SAMPLES)
 def test_built_in_scenes(name: str) -> None:
     scene = el.samples.SAMPLES[name]().at(0.7)

@@ -22,6 +22,9 @@ from eyeline.jit import helper, kernel, share, threads
 
 BLOCKS = 16  # of strokes for each thread: some are crossed by many faces
 DUST = 8  # grid units, a thousandth of a pixel: shorter pieces are what roundings leave
+SPECK = (
+    512.0  # grid units: a line that leaves a face it touches, and is behind it, no longer needs no certainty
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +70,7 @@ def _spans(
         begin, stop = max(inside[s, 0], 0.0), min(inside[s, 1], 1.0)
         if not begin < stop:
             continue
-        n, deep = 0, max(az, bz)
+        n, deep, long = 0, max(az, bz), max(abs(bx - ax), abs(by - ay))
         own_f, own_g = own[s, 0], own[s, 1]
         a0, a1, b0, b1 = touch[s, 0], touch[s, 1], touch[s, 2], touch[s, 3]
         for visit in range(visit_start[s], visit_start[s + 1]):
@@ -108,10 +111,11 @@ def _spans(
                         there = turn(ux, uy, vx, vy, screen[j, 0], screen[j, 1])
                         if ((here < 0.0) & (there > 0.0)) | ((here > 0.0) & (there < 0.0)):
                             continue
+                sure = (not (at_a | at_b)) or (t1 - t0) * long > SPECK
                 t0, t1 = span_behind(
                     corners[f, 0], corners[f, 1], corners[f, 2], corners[f, 3], corners[f, 4], corners[f, 5],
                     corners[f, 6], corners[f, 7], corners[f, 8], ax, ay, az, bx, by, bz, at_a, at_b, t0, t1,
-                    slack, slope,
+                    sure, slack, slope,
                 )  # fmt: skip
                 if not t0 < t1:
                     continue
@@ -142,12 +146,11 @@ def _spans(
                 np.concatenate((seen, seen)),
             )
             room *= 2
-        length = max(abs(bx - ax), abs(by - ay))
         place, own_first = begin, count
         for i in range(2 * n + 1):
             until = stop if i == 2 * n else min(max(hidden[i // 2, i % 2], begin), stop)
             shown = i % 2 == 0
-            if until > place and ((until - place) * length >= DUST or (begin == place and until == stop)):
+            if until > place and ((until - place) * long >= DUST or (begin == place and until == stop)):
                 if count > own_first and seen[count - 1] == shown:
                     ends[count - 1, 1] = until
                 else:
@@ -193,9 +196,9 @@ def span_across(x0, y0, x1, y1, x2, y2, ax, ay, bx, by):
 
 @helper
 def span_behind(
-    px, py, pz, qx, qy, qz, rx, ry, rz, ax, ay, az, bx, by, bz, at_a, at_b, t0, t1, slack, slope
+    px, py, pz, qx, qy, qz, rx, ry, rz, ax, ay, az, bx, by, bz, at_a, at_b, t0, t1, sure, slack, slope
 ):  # fmt: skip
-    """The part of t0..t1 in which ab is certainly behind the face pqr.
+    """The part of t0..t1 in which ab is behind the face pqr; sure: is so wherever its points were rounded to.
 
     An end that touches the face (at_a, at_b) lies in its plane, whatever the rounding says.
     """
@@ -209,7 +212,7 @@ def span_behind(
     behind_a = 0.0 if at_a else nx * (ax - px) + ny * (ay - py) + area * (az - pz)
     behind_b = 0.0 if at_b else nx * (bx - px) + ny * (by - py) + area * (bz - pz)
     behind_0, behind_1 = behind_a + t0 * (behind_b - behind_a), behind_a + t1 * (behind_b - behind_a)
-    if max(behind_0, behind_1) <= abs(nx) + abs(ny) + area * unit:
+    if max(behind_0, behind_1) <= (abs(nx) + abs(ny) + area * unit if sure else 0.0):
         return 1.0, 0.0
     if behind_0 < 0.0:
         t0 = max(t0, behind_a / (behind_a - behind_b))

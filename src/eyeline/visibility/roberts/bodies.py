@@ -32,8 +32,9 @@ class Bodies:
     box: IntArray  # (B, 4) int32: left, top, right, bottom
     side_start: IntArray  # (B + 1,) int64
     side: IntArray  # (S, 4) int32: from x, y to x, y; the inside is to the right as one walks along it
+    corner: FloatArray  # (S,) the depth where each side begins
     cap_start: IntArray  # (B + 1,) int64
-    cap: FloatArray  # (C, 5): x, y, the depth there less all that snapping can have added, its slopes
+    cap: FloatArray  # (C, 6): x, y, the depth there less all that snapping can have added, its slopes, that
     key: (
         IntArray  # (B,) int64, rising: how many steps of depth a body begins behind `front`, above its number
     )
@@ -59,8 +60,8 @@ def bodies_of(projected: Projected, edges: MeshEdges, facing: Facing) -> Bodies:
     owner, face = np.concatenate([single, count + joined]).astype(np.int32), np.empty(size, np.int32)
     nearest, farthest, box = np.empty(size), np.empty(size), np.empty((size, 4), np.int32)
     side_start, cap_start = np.zeros(size + 1, np.int64), np.zeros(size + 1, np.int64)
-    side, cap = np.empty((3 * caps, 4), np.int32), np.empty((caps, 5))
-    filled = (owner, face, farthest, box, side_start, side, cap_start, cap)
+    side, corner, cap = np.empty((3 * caps, 4), np.int32), np.empty(3 * caps), np.empty((caps, 6))
+    filled = (owner, face, farthest, box, side_start, side, corner, cap_start, cap)
     parts, least = threads() if alone > SMALL else 1, rounding(projected)
 
     def shape(first: int, end: int) -> None:
@@ -82,8 +83,8 @@ def nearest_first(depth: FloatArray) -> tuple[IntArray, float, float]:
 
 @kernel
 def _shape(
-    begin, stop, rounding, nearest, owner, face, farthest, box, side_start, side, cap_start, cap,
-    source, start, member, far, turn, group, beyond, corners, xy, depth,
+    begin, stop, rounding, nearest, owner, face, farthest, box, side_start, side, corner, cap_start,
+    cap, source, start, member, far, turn, group, beyond, corners, xy, depth,
 ):  # fmt: skip
     """Fill bodies begin..stop, single faces or all groups; owner becomes the uncut face a face is cut from.
 
@@ -119,6 +120,7 @@ def _shape(
                     p, q = q, p
                 side[sides, 0], side[sides, 1] = xy[2 * p], xy[2 * p + 1]
                 side[sides, 2], side[sides, 3] = xy[2 * q], xy[2 * q + 1]
+                corner[sides] = depth[p]
                 sides += 1
             i, j, k = corners[3 * f], corners[3 * f + 1], corners[3 * f + 2]
             x0, y0, z0 = np.int64(xy[2 * i]), np.int64(xy[2 * i + 1]), np.float64(depth[i])
@@ -128,7 +130,7 @@ def _shape(
             # Half a unit that its corners were moved by, and half a unit that whatever is behind it was
             doubt = abs(down_x) + abs(down_y) + ROUNDING * max(abs(z0), abs(z1), abs(z2)) + rounding
             cap[caps, 0], cap[caps, 1], cap[caps, 2] = x0, y0, z0 - doubt
-            cap[caps, 3], cap[caps, 4] = down_x, down_y
+            cap[caps, 3], cap[caps, 4], cap[caps, 5] = down_x, down_y, doubt
             caps += 1
         nearest[b], farthest[b] = front, back - ROUNDING * abs(back) - rounding
         box[b, 0], box[b, 1], box[b, 2], box[b, 3] = left, up, right, down

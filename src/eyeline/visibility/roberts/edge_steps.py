@@ -7,7 +7,14 @@ from dataclasses import dataclass
 
 from eyeline.geometry.fixedpoint import UNITS
 from eyeline.visibility.method import Step
-from eyeline.visibility.roberts.hidden_spans import BEHIND_ITSELF, DUST, TESTED, TURNED_AWAY, Question
+from eyeline.visibility.roberts.hidden_spans import (
+    BEHIND_ITSELF,
+    DUST,
+    SPECK,
+    TESTED,
+    TURNED_AWAY,
+    Question,
+)
 
 Span = tuple[float, float]  # where in 0..1 along an edge; none of it if the first is not less
 Segment = tuple[tuple[float, float], tuple[float, float]]  # pixels
@@ -31,9 +38,14 @@ class Line:
     inside: Span  # the part in the picture
 
     @property
+    def long(self) -> float:
+        """Its length across or down, whichever is greater."""
+        return max(abs(self.p1[0] - self.p0[0]), abs(self.p1[1] - self.p0[1]))
+
+    @property
     def dust(self) -> float:
         """How much of it is too short to be told from rounding."""
-        return DUST / max(abs(self.p1[0] - self.p0[0]), abs(self.p1[1] - self.p0[1]))
+        return DUST / self.long
 
     def box(self) -> tuple[float, float, float, float]:
         """Left, top, right, bottom."""
@@ -132,7 +144,7 @@ def bodies_met(line: Line, asked: Question, hidden: list[Span]) -> Iterator[int]
 def span_behind(line: Line, asked: Question, body: int) -> tuple[Span, str]:
     """Where the edge is behind a body, and in words which inequalities say so."""
     bodies, span = asked.bodies, line.inside
-    sides, caps = sides_of(line, asked, body), caps_of(line, asked, body)
+    sides = sides_of(line, asked, body)
     name = f"edge {line.number} and the body of face {bodies.face[body]}"
     for number, (at_0, at_1) in enumerate(sides, 1):
         span = solved(at_0, at_1, span)
@@ -142,8 +154,10 @@ def span_behind(line: Line, asked: Question, body: int) -> tuple[Span, str]:
     depths = [line.p0[2] + t * (line.p1[2] - line.p0[2]) for t in span]
     if max(depths) < bodies.farthest[body]:
         return span, f"{told}, all of it deeper than the body: hidden"
-    for at_0, at_1 in caps:
-        span = solved(at_0, at_1, span)
+    ends = ends_on(line, asked, body)
+    short = any(ends) and (span[1] - span[0]) * line.long <= SPECK
+    for at_0, at_1 in caps_of(line, asked, body, doubted=not short):
+        span = under(at_0, at_1, ends, span)
         if not span[0] < span[1]:
             return span, f"{told}, but there alpha > 0 has no solution: it is not behind"
     return span, f"{told}, and alpha > 0 leaves {span[0]:.2f} < t < {span[1]:.2f}: hidden"
@@ -160,12 +174,21 @@ def sides_of(line: Line, asked: Question, body: int) -> list[tuple[float, float]
     return found
 
 
-def caps_of(line: Line, asked: Question, body: int) -> list[tuple[float, float]]:
-    """The greatest alpha under each cap of a body, at t = 0 and at t = 1."""
+def ends_on(line: Line, asked: Question, body: int) -> tuple[bool, bool]:
+    """Whether the first and the last point of the edge are corners of a body."""
+    bodies = asked.bodies
+    rows = range(bodies.side_start[body], bodies.side_start[body + 1])
+    corners = [(*bodies.side[side, :2].tolist(), bodies.corner[side]) for side in rows]
+    return line.p0 in corners, line.p1 in corners
+
+
+def caps_of(line: Line, asked: Question, body: int, doubted: bool) -> list[tuple[float, float]]:
+    """The greatest alpha under each cap of a body, at t = 0 and at t = 1; doubted: what is sure of it."""
     bodies, found = asked.bodies, []
     (ax, ay, az), (bx, by, bz) = line.p0, line.p1
     for cap in range(bodies.cap_start[body], bodies.cap_start[body + 1]):
-        x, y, z, p, q = bodies.cap[cap].tolist()
+        x, y, z, p, q, doubt = bodies.cap[cap].tolist()
+        z += 0.0 if doubted else doubt
         found.append((z + p * (ax - x) + q * (ay - y) - az, z + p * (bx - x) + q * (by - y) - bz))
     return found
 
@@ -176,6 +199,15 @@ def solved(at_0: float, at_1: float, span: Span) -> Span:
     if at_0 < 0:
         return (max(t0, at_0 / (at_0 - at_1)), t1) if at_1 > 0 else (1.0, 0.0)
     return (t0, min(t1, at_0 / (at_0 - at_1))) if at_1 < 0 else span
+
+
+def under(at_0: float, at_1: float, ends: tuple[bool, bool], span: Span) -> Span:
+    """The part of a span that is under a cap; an end that is a corner of the body is not above it."""
+    if any(ends):
+        if max(at_0 + t * (at_1 - at_0) for t in span) <= 0:
+            return 1.0, 0.0
+        at_0, at_1 = (max(at, 0.0) if end else at for at, end in zip((at_0, at_1), ends, strict=True))
+    return solved(at_0, at_1, span)
 
 
 def with_span(hidden: list[Span], span: Span, dust: float) -> list[Span]:

@@ -24,6 +24,7 @@ from eyeline.visibility.roberts.mesh_edges import MeshEdges, cut_ends
 
 BLOCKS = 8  # of edges for each thread: some are crossed by many bodies
 DUST = 1.0  # 1/256 pixel: shorter pieces are what snapping leaves, and go to their neighbours
+SPECK = 32.0  # 1/256 pixel: a shorter way across a body from one of its corners needs no certainty of depth
 TESTED, TURNED_AWAY, BEHIND_ITSELF = 0, 1, 2  # what is known of an edge before any body is looked at
 
 
@@ -77,7 +78,7 @@ def pieces_of(asked: Question) -> Pieces:
     arrays = (
         asked.ends, asked.own, asked.fate, passages.inside, passages.start, passages.cell, passages.span,
         asked.start, asked.listed, bodies.owner, bodies.farthest, bodies.box, bodies.side_start, bodies.side,
-        bodies.cap_start, bodies.cap,
+        bodies.corner, bodies.cap_start, bodies.cap,
     )  # fmt: skip
     given = (bodies.front, bodies.step, *(read_only(array) for array in arrays))
     found = share(lambda part: _solve(count * part // blocks, count * (part + 1) // blocks, *given), blocks)
@@ -112,10 +113,24 @@ def solved(at_0, at_1, t0, t1):
     return (t0, min(t1, at_0 / (at_0 - at_1))) if at_1 < 0.0 else (t0, t1)
 
 
+@helper
+def under(at_0, at_1, at_first, at_last, t0, t1):
+    """The part of t0..t1 that is under a cap: at_0 and at_1 are how far, less what is in doubt.
+
+    An end that is a corner of the body (at_first, at_last) is not above the cap, whatever the doubt: what is
+    hidden begins right there, if any of it is under.
+    """
+    if at_first | at_last:
+        if max(at_0 + t0 * (at_1 - at_0), at_0 + t1 * (at_1 - at_0)) <= 0.0:
+            return 1.0, 0.0
+        at_0, at_1 = max(at_0, 0.0) if at_first else at_0, max(at_1, 0.0) if at_last else at_1
+    return solved(at_0, at_1, t0, t1)
+
+
 @kernel
 def _solve(
     first, end, front, step, ends, own, fate, inside, passage_start, passage_cell, passage_span, list_start,
-    listed, owner, farthest, box, side_start, side, cap_start, cap,
+    listed, owner, farthest, box, side_start, side, corner, cap_start, cap,
 ):  # fmt: skip
     """(seen edge, seen, hidden edge, hidden, tests) of edges first..end."""
     room, shown, behind, tests = 2 * (end - first) + 16, 0, 0, 0
@@ -128,7 +143,8 @@ def _solve(
             continue
         ax, ay, az, bx, by, bz = ends[s, 0], ends[s, 1], ends[s, 2], ends[s, 3], ends[s, 4], ends[s, 5]
         left, right, up, down = min(ax, bx), max(ax, bx), min(ay, by), max(ay, by)
-        deep, dust, n = (front - min(az, bz)) / step, DUST / max(right - left, down - up), 0
+        long = max(right - left, down - up)
+        deep, dust, n = (front - min(az, bz)) / step, DUST / long, 0
         own_f, own_g = own[s, 0], own[s, 1]
         passages = range(passage_start[s], passage_start[s + 1])
         if fate[s] != TESTED:
@@ -163,11 +179,18 @@ def _solve(
                         break
                 # Deeper than all of the body, it needs no cap
                 if t0 < t1 and max(az + t0 * (bz - az), az + t1 * (bz - az)) >= farthest[b]:
+                    at_first, at_last = False, False
+                    for k in range(side_start[b], side_start[b + 1]):
+                        x, y, z = float(side[k, 0]), float(side[k, 1]), corner[k]
+                        at_first |= (x == ax) & (y == ay) & (z == az)
+                        at_last |= (x == bx) & (y == by) & (z == bz)
+                    short = (at_first | at_last) & ((t1 - t0) * long <= SPECK)
                     for k in range(cap_start[b], cap_start[b + 1]):
-                        x, y, z, p, q = cap[k, 0], cap[k, 1], cap[k, 2], cap[k, 3], cap[k, 4]
+                        x, y, p, q = cap[k, 0], cap[k, 1], cap[k, 3], cap[k, 4]
+                        z = cap[k, 2] + cap[k, 5] if short else cap[k, 2]
                         over_a = z + p * (ax - x) + q * (ay - y) - az
                         over_b = z + p * (bx - x) + q * (by - y) - bz
-                        t0, t1 = solved(over_a, over_b, t0, t1)
+                        t0, t1 = under(over_a, over_b, at_first, at_last, t0, t1)
                         if not t0 < t1:
                             break
                 if not t0 < t1:
