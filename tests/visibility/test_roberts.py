@@ -226,12 +226,13 @@ def assert_steps_agree(found: VisibleEdges) -> None:
 
 
 def test_any_number_of_threads_gives_the_same_bytes(monkeypatch: pytest.MonkeyPatch) -> None:
+    from eyeline.geometry import cells
     from eyeline.visibility.roberts import bodies, convex_groups, edge_cells, hidden_spans
 
     scene = el.samples.teapot()
     answers = []
     for count in (1, 2, 5):
-        for module in (bodies, convex_groups, edge_cells, hidden_spans):
+        for module in (cells, bodies, convex_groups, edge_cells, hidden_spans):
             monkeypatch.setattr(module, "threads", lambda count=count: count)
             monkeypatch.setattr(module, "SMALL", 0, raising=False)
         found = edges_of(scene, Camera.framing(scene.bounds))

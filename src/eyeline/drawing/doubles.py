@@ -7,24 +7,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from eyeline.drawing.cells import Visits
 from eyeline.drawing.grid import Grid
 from eyeline.drawing.hiding import DUST, Spans
 from eyeline.drawing.strokes import Strokes
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
+from eyeline.geometry.cells import Passages
 from eyeline.jit import kernel
 
 APART = 2.0  # grid units: strokes that lie on each other are no farther apart, for ends are whole units
 
 
-def without_doubles(spans: Spans, strokes: Strokes, grid: Grid, visits: Visits) -> Spans:
+def without_doubles(spans: Spans, strokes: Strokes, grid: Grid, passages: Passages) -> Spans:
     """Spans less what lies on a stroke of a heavier kind, or of the same kind and a lower number."""
-    visit = np.argsort(visits.cell, kind="stable")
-    stroke = np.repeat(np.arange(len(strokes.kind), dtype=np.int32), np.diff(visits.start))[visit]
+    order = np.argsort(passages.cell, kind="stable")
+    stroke = np.repeat(np.arange(len(strokes.kind), dtype=np.int32), np.diff(passages.start))[order]
     ends = np.ascontiguousarray(strokes.screen.reshape(-1, 6))
     row, part = _doubles(
         read_only(stroke),
-        read_only(visits.cell[visit]),
+        read_only(passages.cell[order]),
         read_only(ends),
         read_only(strokes.kind),
         *grid.slack,
@@ -57,7 +57,7 @@ def subtracted(spans: Spans, row: IntArray, part: FloatArray) -> Spans:
 def _doubles(stroke, cell, ends, kind, slack, slope):
     """(row, part): parts in 0..1 of strokes that lie on a stroke to be drawn before them.
 
-    stroke, cell: visits of cells by strokes, cell after cell.
+    stroke, cell: passages of cells by strokes, cell after cell.
     """
     row, part, found, begin = np.empty(64, np.int32), np.empty((64, 2)), 0, 0
     for i in range(stroke.shape[0]):

@@ -95,12 +95,3 @@ class Grid:
 def turn(ax, ay, bx, by, cx, cy):
     """Twice the signed area of a, b, c; exact on the grid. Positive where they turn clockwise, y down."""
     return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-
-
-@helper
-def window(a, d, size):
-    """Where a + t d is within 0..size, for t in 0..1; empty if the first is not less than the second."""
-    if d == 0.0:
-        return (0.0, 1.0) if (a >= 0.0) & (a <= size) else (1.0, 0.0)
-    t, u = -a / d, (size - a) / d
-    return max(min(t, u), 0.0), min(max(t, u), 1.0)

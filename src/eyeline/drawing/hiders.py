@@ -9,6 +9,7 @@ import numpy as np
 from eyeline.drawing.grid import Grid, turn
 from eyeline.drawing.model import Model
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
+from eyeline.geometry.cells import Cells
 from eyeline.jit import kernel, share, threads
 from eyeline.projection.clipping import Pieces, cut
 
@@ -32,7 +33,9 @@ class Hiders:
     source: IntArray  # (H,) int32: the face of the model each is cut from
     corners: FloatArray  # (H, 9) x, y, depth of three corners that turn clockwise
     nearest: FloatArray  # (H,) least depth
+    cells: Cells
     reach: IntArray  # (H, 4) int32: first column, first row, last column, last row of cells
+    farthest: FloatArray  # (rows * columns,) the greatest depth of strokes in each cell; -inf is none
 
 
 def corners_of(model: Model, facing: IntArray, grid: Grid) -> Corners:
@@ -60,7 +63,7 @@ def corners_of(model: Model, facing: IntArray, grid: Grid) -> Corners:
     )
 
 
-def hiders_of(corners: Corners, farthest: FloatArray, shift: int, columns: int, rows: int) -> Hiders:
+def hiders_of(corners: Corners, cells: Cells, farthest: FloatArray) -> Hiders:
     """The faces that come before a stroke in one of the cells they touch.
 
     farthest: (rows * columns,) the greatest depth of strokes in each cell, -inf where there is none.
@@ -68,13 +71,13 @@ def hiders_of(corners: Corners, farthest: FloatArray, shift: int, columns: int, 
     count = len(corners.faces)
     depth = np.empty(count)
     parts = threads() if count > SMALL else 1
-    given = (read_only(corners.screen), read_only(corners.faces), shift, columns, rows)
+    given = (read_only(corners.screen), read_only(corners.faces), cells.shift, cells.columns, cells.rows)
     share(lambda part: _depths(part, parts, *given, read_only(farthest), depth), parts)
     order = nearest_first(depth)
     size = len(order)
-    hiders = Hiders(corners.source[order], np.empty((size, 9)), depth[order], np.empty((size, 4), np.int32))
-    share(lambda part: _gather(part, parts, *given, order, hiders.corners, hiders.reach), parts)
-    return hiders
+    places, reach = np.empty((size, 9)), np.empty((size, 4), np.int32)
+    share(lambda part: _gather(part, parts, *given, order, places, reach), parts)
+    return Hiders(corners.source[order], places, depth[order], cells, reach, farthest)
 
 
 def nearest_first(depth: FloatArray) -> IntArray:

@@ -12,12 +12,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eyeline.drawing.cells import Visits, listed_faces
+from eyeline.drawing.cells import listed_faces
 from eyeline.drawing.grid import Grid, turn
 from eyeline.drawing.hiders import Hiders
 from eyeline.drawing.model import Model
 from eyeline.drawing.strokes import Strokes
 from eyeline.geometry.arrays import BoolArray, FloatArray, IntArray, read_only
+from eyeline.geometry.cells import Passages
+from eyeline.geometry.spans import with_span
 from eyeline.jit import helper, kernel, share, threads
 
 BLOCKS = 16  # of strokes for each thread: some are crossed by many faces
@@ -36,15 +38,15 @@ class Spans:
     seen: BoolArray  # (N,)
 
 
-def spans_of(strokes: Strokes, model: Model, grid: Grid, visits: Visits, hiders: Hiders) -> Spans:
+def spans_of(strokes: Strokes, model: Model, grid: Grid, passages: Passages, hiders: Hiders) -> Spans:
     """All pieces of all strokes, seen and hidden; what lies outside the picture is neither."""
-    listed = listed_faces(hiders, visits)
+    listed = listed_faces(hiders)
     count = len(strokes.kind)
     blocks = max(1, min(count, BLOCKS * threads()))
     arrays = (
-        strokes.screen.reshape(-1, 6), strokes.own, strokes.touch, visits.start, visits.cell, visits.span,
-        visits.inside, hiders.corners, hiders.nearest, hiders.source, model.faces, model.screen,
-        model.outside, *listed,
+        strokes.screen.reshape(-1, 6), strokes.own, strokes.touch, passages.start, passages.cell,
+        passages.span, passages.inside, hiders.corners, hiders.nearest, hiders.source, model.faces,
+        model.screen, model.outside, *listed,
     )  # fmt: skip
     given = (*(read_only(np.ascontiguousarray(array)) for array in arrays), *grid.slack)
     found = share(
@@ -56,13 +58,13 @@ def spans_of(strokes: Strokes, model: Model, grid: Grid, visits: Visits, hiders:
 
 @kernel
 def _spans(
-    first, end, strokes, own, touch, visit_start, visit_cell, visit_span, inside, corners, nearest, source,
-    faces, screen, outside, list_start, listed, slack, slope,
+    first, end, strokes, own, touch, passage_start, passage_cell, passage_span, inside, corners, nearest,
+    source, faces, screen, outside, list_start, listed, slack, slope,
 ):  # fmt: skip
     """(row, ends, seen) of strokes first..end."""
     room = 256
     row, ends, seen = np.empty(room, np.int32), np.empty((room, 2)), np.empty(room, np.bool_)
-    hidden, count = np.empty((64, 2)), 0
+    hidden, count = np.empty((nearest.shape[0] + 1, 2)), 0
     for s in range(first, end):
         ax, ay, az, bx, by, bz = (
             strokes[s, 0], strokes[s, 1], strokes[s, 2], strokes[s, 3], strokes[s, 4], strokes[s, 5],
@@ -73,9 +75,9 @@ def _spans(
         n, deep, long = 0, max(az, bz), max(abs(bx - ax), abs(by - ay))
         own_f, own_g = own[s, 0], own[s, 1]
         a0, a1, b0, b1 = touch[s, 0], touch[s, 1], touch[s, 2], touch[s, 3]
-        for visit in range(visit_start[s], visit_start[s + 1]):
-            cell = visit_cell[visit]
-            c0, c1 = max(visit_span[visit, 0], begin), min(visit_span[visit, 1], stop)
+        for passage in range(passage_start[s], passage_start[s + 1]):
+            cell = passage_cell[passage]
+            c0, c1 = max(passage_span[passage, 0], begin), min(passage_span[passage, 1], stop)
             for at in range(list_start[cell], list_start[cell + 1]):
                 f = listed[at]
                 if nearest[f] >= deep:
@@ -119,24 +121,7 @@ def _spans(
                 )  # fmt: skip
                 if not t0 < t1:
                     continue
-                # Join it to the intervals there are: sorted, apart from each other
-                i = 0
-                while i < n and hidden[i, 1] < t0:
-                    i += 1
-                j = i
-                while j < n and hidden[j, 0] <= t1:
-                    t0, t1 = min(t0, hidden[j, 0]), max(t1, hidden[j, 1])
-                    j += 1
-                if i == j:
-                    if n == hidden.shape[0]:
-                        hidden = np.concatenate((hidden, hidden))
-                    for k in range(n, i, -1):
-                        hidden[k, 0], hidden[k, 1] = hidden[k - 1, 0], hidden[k - 1, 1]
-                else:
-                    for k in range(j, n):
-                        hidden[k - j + i + 1, 0], hidden[k - j + i + 1, 1] = hidden[k, 0], hidden[k, 1]
-                hidden[i, 0], hidden[i, 1] = t0, t1
-                n += 1 - (j - i)
+                n = with_span(hidden, n, t0, t1, 0.0)
 
         # What is seen and what is hidden, by turns; dust goes to its neighbour
         while count + 2 * n + 2 > room:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from eyeline.cached import cached_property
-from eyeline.drawing.cells import visits_of
+from eyeline.drawing.cells import cells_for, farthest_in
 from eyeline.drawing.chains import chained
 from eyeline.drawing.choice import chosen_edges, facings
 from eyeline.drawing.crossings import crossing_strokes
@@ -18,6 +18,7 @@ from eyeline.drawing.hiding import Spans, spans_of
 from eyeline.drawing.model import Model, model_of
 from eyeline.drawing.strokes import Strokes, cut_to, edge_strokes, joined, once
 from eyeline.geometry.arrays import BoolArray, ByteArray, FloatArray, IntArray
+from eyeline.geometry.cells import passages_of
 from eyeline.scene.camera import Camera
 from eyeline.scene.scene import Scene
 
@@ -82,10 +83,11 @@ def lines_of(
         strokes = strokes if crossings is None else joined(strokes, crossings)
     strokes = once(cut_to(strokes, grid))
     corners = corners_of(model, facing, grid)
-    visits = visits_of(strokes, corners, grid)
-    hiders = hiders_of(corners, visits.farthest, visits.shift, visits.columns, visits.rows)
-    spans = spans_of(strokes, model, grid, visits, hiders)
-    spans = without_doubles(spans, strokes, grid, visits)
+    cells = cells_for(corners, grid)
+    passages = passages_of(np.ascontiguousarray(strokes.screen.reshape(-1, 6)), cells)
+    hiders = hiders_of(corners, cells, farthest_in(cells, strokes, passages))
+    spans = spans_of(strokes, model, grid, passages, hiders)
+    spans = without_doubles(spans, strokes, grid, passages)
     return gathered(strokes, spans, model, grid, camera)
 
 

@@ -14,12 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray, read_only
+from eyeline.geometry.cells import Passages, passages_of
 from eyeline.geometry.fixedpoint import UNITS
+from eyeline.geometry.spans import with_span
 from eyeline.jit import helper, kernel, share, threads
 from eyeline.projection.projected import Projected
 from eyeline.visibility.roberts.bodies import Bodies, bodies_of
 from eyeline.visibility.roberts.convex_groups import SMALL, facing_of, flat, shown_faces
-from eyeline.visibility.roberts.edge_cells import NUMBER, Passages, bodies_in, cells_for, passages_of
+from eyeline.visibility.roberts.edge_cells import NUMBER, bodies_in, cells_for
 from eyeline.visibility.roberts.mesh_edges import MeshEdges, cut_ends
 
 BLOCKS = 8  # of edges for each thread: some are crossed by many bodies
@@ -136,7 +138,7 @@ def _solve(
     room, shown, behind, tests = 2 * (end - first) + 16, 0, 0, 0
     seen_edge, seen_at = np.empty(room, np.int32), np.empty((room, 4))
     hidden_edge, hidden_at = np.empty(room, np.int32), np.empty((room, 4))
-    hidden, met = np.empty((64, 2)), np.full(owner.shape[0], -1, np.int32)
+    hidden, met = np.empty((owner.shape[0] + 1, 2)), np.full(owner.shape[0], -1, np.int32)
     for s in range(first, end):
         begin, stop = max(inside[s, 0], 0.0), min(inside[s, 1], 1.0)
         if not begin < stop:
@@ -195,24 +197,7 @@ def _solve(
                             break
                 if not t0 < t1:
                     continue
-                # Join it to the intervals there are: sorted, apart from each other
-                i = 0
-                while i < n and hidden[i, 1] + dust < t0:
-                    i += 1
-                j = i
-                while j < n and hidden[j, 0] <= t1 + dust:
-                    t0, t1 = min(t0, hidden[j, 0]), max(t1, hidden[j, 1])
-                    j += 1
-                if i == j:
-                    if n == hidden.shape[0]:
-                        hidden = np.concatenate((hidden, hidden))
-                    for k in range(n, i, -1):
-                        hidden[k, 0], hidden[k, 1] = hidden[k - 1, 0], hidden[k - 1, 1]
-                else:
-                    for k in range(j, n):
-                        hidden[k - j + i + 1, 0], hidden[k - j + i + 1, 1] = hidden[k, 0], hidden[k, 1]
-                hidden[i, 0], hidden[i, 1] = t0, t1
-                n += 1 - (j - i)
+                n = with_span(hidden, n, t0, t1, dust)
                 changed = True
 
         # What is seen and what is hidden, by turns; dust goes to its neighbour
