@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from eyeline.scene.skin import Skin
     from eyeline.scene.texture import Texture, TextureSlot
     from eyeline.shading.styles import STYLES
+    from eyeline.shapes import inbetween
     from eyeline.visibility import METHODS
 
 _HOMES = {
@@ -58,6 +59,7 @@ _HOMES = {
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
     "film": "eyeline.render.film",
+    "inbetween": "eyeline.shapes",
     "load": "eyeline.files",
     "render": "eyeline.render",
     "samples": "eyeline.samples",
@@ -92,6 +94,7 @@ __all__ = [
     "errors",
     "explain",
     "film",
+    "inbetween",
     "load",
     "render",
     "samples",

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded, linear_from_srgb, srgb_from_linear
+from eyeline.scene.colour import linear_from_srgb, srgb_from_linear
+from eyeline.shading.encoding import DECODED, DITHER, ENCODED, encoded
 
 
 def test_every_colour_survives_the_round_trip_under_every_threshold():

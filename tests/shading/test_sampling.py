@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from eyeline.scene.colour import linear_from_srgb
 from eyeline.scene.texture import Texture
-from eyeline.shading.encoding import DECODED, linear_from_srgb
+from eyeline.shading.encoding import DECODED
 from eyeline.shading.sampling import footprint_level, sampled, wrapped
 from eyeline.shading.texture_table import CLAMP, MIRROR, REPEAT, Textures, mipmaps, textures_of
 

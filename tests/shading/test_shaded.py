@@ -8,11 +8,11 @@ import pytest
 from eyeline.errors import OptionError
 from eyeline.samples import teapot
 from eyeline.scene.camera import Camera
+from eyeline.scene.colour import linear_from_srgb, srgb_from_linear
 from eyeline.scene.light import Light
 from eyeline.scene.material import Material
 from eyeline.scene.scene import Scene
 from eyeline.scene.texture import Texture, TextureSlot
-from eyeline.shading.encoding import linear_from_srgb, srgb_from_linear
 from eyeline.shading.frame import Strip
 from eyeline.shading.look import Look
 from frames import FOUR, FRONT, frame_of, picture_of, square

@@ -12,13 +12,13 @@ from eyeline.geometry.arrays import ByteArray
 from eyeline.projection import project
 from eyeline.samples import cube, teapot
 from eyeline.scene.camera import Camera
+from eyeline.scene.colour import srgb_from_linear
 from eyeline.scene.light import Light
 from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 from eyeline.scene.scene import Scene
 from eyeline.shading.cutout import see
-from eyeline.shading.encoding import srgb_from_linear
 from eyeline.shading.frame import Frame
 from eyeline.shading.look import Look
 from eyeline.shading.resolve import Layers

@@ -11,13 +11,13 @@ from eyeline.errors import OptionError
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.projection import project
 from eyeline.scene.camera import Camera
+from eyeline.scene.colour import srgb_from_linear
 from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.scene import Scene
 from eyeline.shading import transparency
 from eyeline.shading.attributes import attributes_of
 from eyeline.shading.cutout import see
-from eyeline.shading.encoding import srgb_from_linear
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.lanes import ALPHA
 from eyeline.shading.lanes import BLUE as BLUE_ROW

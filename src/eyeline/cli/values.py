@@ -55,7 +55,7 @@ def background_of(text: str) -> Any:
         ) from None
     import numpy as np
 
-    from eyeline.shading.encoding import linear_from_srgb
+    from eyeline.scene.colour import linear_from_srgb
 
     return tuple(linear_from_srgb(np.array(shown) / 255).tolist())
 

@@ -8,8 +8,9 @@ from typing import Literal
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
+from eyeline.scene.colour import srgb_from_linear
 from eyeline.scene.material import Colour
-from eyeline.shading.encoding import DITHER, srgb_from_linear
+from eyeline.shading.encoding import DITHER
 
 # Slightly cool light greys, linear: in the middle, where the product stands, and in the corners.
 MIDDLE = 0.86 * np.array([0.985, 1.0, 1.02])

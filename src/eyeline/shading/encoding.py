@@ -8,20 +8,9 @@ import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
 from eyeline.jit import helper
+from eyeline.scene.colour import linear_from_srgb, srgb_from_linear
 
 ENCODED_SIZE = 4096  # 1/16 of a step of 8 bits, and finer
-
-
-def srgb_from_linear(linear: FloatArray) -> FloatArray:
-    """Display values 0..1 of linear light 0..1."""
-    return np.where(
-        linear <= 0.0031308, 12.92 * linear, 1.055 * np.maximum(linear, 0.0031308) ** (1 / 2.4) - 0.055
-    )
-
-
-def linear_from_srgb(shown: FloatArray) -> FloatArray:
-    """Linear light 0..1 of display values 0..1."""
-    return np.where(shown <= 0.04045, shown / 12.92, ((np.maximum(shown, 0.04045) + 0.055) / 1.055) ** 2.4)
 
 
 def _threshold_matrix() -> FloatArray:

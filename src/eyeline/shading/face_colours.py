@@ -7,8 +7,8 @@ import numpy as np
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import ByteArray, FloatArray
 from eyeline.scene.camera import Camera
+from eyeline.scene.colour import srgb_from_linear
 from eyeline.scene.scene import Scene
-from eyeline.shading.encoding import srgb_from_linear
 from eyeline.shading.styles.id import id_colours
 
 LIGHT = (-0.45, 0.7, 0.55)  # to the light, in the eye's axes

@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
+from eyeline.scene.colour import linear_from_srgb, srgb_from_linear
 from eyeline.scene.texture import Texture
-from eyeline.shading.encoding import linear_from_srgb, srgb_from_linear
 from eyeline.shading.joined import joined
 
 # Columns of `images`

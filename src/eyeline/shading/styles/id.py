@@ -9,7 +9,7 @@ import numpy as np
 
 from eyeline.geometry.arrays import ByteArray, FloatArray, IntArray
 from eyeline.projection.projected import Projected
-from eyeline.shading.encoding import srgb_from_linear
+from eyeline.scene.colour import srgb_from_linear
 from eyeline.shading.frame import Frame, Strip
 from eyeline.shading.styles.plain import BLACK, before, exact
 
