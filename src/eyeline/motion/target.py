@@ -5,18 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
+from eyeline.deform.deformer import Deformer
 from eyeline.errors import SceneError, suggestion
 from eyeline.geometry.arrays import FloatArray
-from eyeline.motion.track import Track
+from eyeline.motion.track import OPEN, Track
 from eyeline.scene.camera import fov_of
 from eyeline.scene.material import Material
 from eyeline.scene.scene import Scene
-
-Thing = TypeVar("Thing")
 
 # What a spline may not overshoot: no thing can be made with more or less.
 LIMITS: dict[str, tuple[float, float]] = {
@@ -81,38 +80,40 @@ class Target:
 
 
 def fields_of(property_name: str) -> tuple[str, ...]:
-    """The names that lead from a thing to what moves; a control's own name may have dots."""
+    """The names that lead from a thing to what moves; what stands under an open name is one name."""
     first, _, rest = property_name.partition(".")
-    return (first, rest) if first == "controls" else tuple(property_name.split("."))
+    return (first, rest) if first in OPEN else tuple(property_name.split("."))
 
 
-def changed(thing: Thing, changes: Mapping[str, Any]) -> Thing:
+def changed(thing: Any, changes: Mapping[str, Any]) -> Any:
     """A frozen thing with other values; a mapping in place of a value changes the value in turn."""
-    values = resolved(thing, changes)
-    if isinstance(thing, Mapping):
-        return thing | values  # type: ignore[operator, no-any-return]
-    return replace(thing, **values)  # type: ignore[type-var]
+    match thing:
+        case Deformer():
+            return thing.changed(changes)
+        case Mapping():
+            return {**thing, **changes}
+    return replace(thing, **resolved(thing, changes))
 
 
 def resolved(thing: object, changes: Mapping[str, Any]) -> dict[str, Any]:
     """The new values of a thing's fields, mappings among them followed to the end."""
     return {
-        name: changed(part(thing, name), value) if isinstance(value, dict) else value
+        name: changed(getattr(thing, name), value) if isinstance(value, dict) else value
         for name, value in changes.items()
     }
 
 
+def numbers_of(thing: Any) -> dict[str, Any]:
+    """Everything that a thing holds by name and that tracks can move."""
+    match thing:
+        case Deformer():
+            return dict(thing.parameters)
+        case Mapping():
+            return dict(thing)
+    return {name: value for name, value in vars(thing).items() if isinstance(value, NUMBERS)}
+
+
 NUMBERS = (int, float, tuple, np.ndarray)
-
-
-def parts_of(thing: object) -> dict[str, Any]:
-    """Everything that a thing holds by name."""
-    return dict(thing) if isinstance(thing, Mapping) else dict(vars(thing))
-
-
-def part(thing: object, name: str) -> Any:
-    """What a thing holds under a name, None if nothing."""
-    return parts_of(thing).get(name)
 
 
 def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mapping[str, Material]) -> int:
@@ -133,11 +134,11 @@ def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mappin
         thing = things[track.name]
     *parts, last = fields_of(track.property)
     for name in parts:
-        thing = part(thing, name)
+        thing = getattr(thing, name)
         if thing is None:
             raise SceneError(f"{track} leads nowhere: there is no {name} to move")
     field = CONVERSIONS[last][0] if last in CONVERSIONS else last
-    if field in ("fov", "height") and part(thing, field) is None:
+    if field in ("fov", "height") and getattr(thing, field) is None:
         raise SceneError(
             f"{track} leads nowhere: the camera is {'orthographic' if field == 'fov' else 'perspective'}"
         )
@@ -150,10 +151,10 @@ def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mappin
 
 def _refuse_shape(track: Track, thing: object, name: str) -> None:
     """What moves must be numbers, as many as the curve has."""
-    numbers = {key: np.shape(value) for key, value in parts_of(thing).items() if isinstance(value, NUMBERS)}
+    numbers = numbers_of(thing)
     if name not in numbers:
         raise SceneError(f"{track} leads nowhere{suggestion(name, numbers)}")
-    shape = numbers[name]
+    shape = np.shape(numbers[name])
     if shape != track.curve.shape:
         raise SceneError(f"{track} has values of shape {track.curve.shape}; {shape} is needed")
 

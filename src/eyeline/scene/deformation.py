@@ -1,4 +1,4 @@
-"""Meshes bent by their node: morphed by its weights, then taken along by the joints of its skin."""
+"""Meshes bent by their node: morphed by its weights, deformed, taken along by the joints of its skin."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from eyeline.deform import morph, skin
+from eyeline.deform.deformer import Deformer
 from eyeline.errors import SceneError
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
@@ -40,6 +41,17 @@ def morphed(mesh: Mesh, weights: Sequence[float]) -> Mesh:
         morph.blend(pairs, [one.uv[index] if index < len(one.uv) else None for one in targets], weights)
         for index, pairs in enumerate(mesh.uv)
     )
+    return mesh.changed(**values)
+
+
+def deformed(mesh: Mesh, deformer: Deformer | None) -> Mesh:
+    """The mesh moved by a deformer; itself where there is none. One turned inside out turns its faces."""
+    if deformer is None:
+        return mesh
+    points, normals, tangents = deformer(mesh.points, mesh.normals, mesh.tangents)
+    values: dict[str, Any] = {"points": points, "normals": normals, "tangents": tangents}
+    if deformer.mirrors:
+        values["faces"] = np.ascontiguousarray(mesh.faces[:, [0, 2, 1]])
     return mesh.changed(**values)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from eyeline.cached import cached_property
+from eyeline.deform.deformer import Deformer
 from eyeline.geometry import quaternion, transform
 from eyeline.geometry.arrays import FloatArray
 from eyeline.scene.camera import Camera
@@ -34,6 +35,7 @@ class Node:
     light: Light | None = None
     instances: FloatArray | None = None  # (K, 4, 4) node_from_instance: the mesh stands K times
     visible: bool = True
+    deform: Deformer | None = None  # bends the mesh in its own space, morphed before and skinned after
     controls: Mapping[str, float] = field(default_factory=dict)  # numbers by name, for constraints to read
 
     def changed(self, **values: Any) -> Node:

@@ -1,4 +1,4 @@
-"""Meshes where they stand: morphed, skinned, and placed in the world."""
+"""Meshes where they stand: morphed, deformed, skinned, and placed in the world."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from eyeline.cached import cached_property
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
-from eyeline.scene.deformation import morphed, skinned, weights_of
+from eyeline.scene.deformation import deformed, morphed, skinned, weights_of
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
 
@@ -41,7 +41,7 @@ def surfaces_of(nodes: Sequence[Node], world: FloatArray) -> tuple[Surface, ...]
         if node.mesh is None:
             continue
         visible = shown(nodes, index)
-        mesh = morphed(node.mesh, weights_of(node, node.mesh))
+        mesh = deformed(morphed(node.mesh, weights_of(node, node.mesh)), node.deform)
         if node.skin is not None and mesh.joints is not None:
             mesh, matrix = skinned(mesh, node, world)
             matrices = [matrix]
