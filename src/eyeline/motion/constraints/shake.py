@@ -61,7 +61,8 @@ class Shake:
         """(T, 6) of root mean square one: three for the place, three for the turn."""
         speeds, starts = self._waves
         waves: FloatArray = np.sin(times[:, None, None] * speeds + starts)
-        return np.sqrt(2 / WAVES) * waves.sum(axis=2)
+        tremble: FloatArray = np.sqrt(2 / WAVES) * waves.sum(axis=2)
+        return tremble
 
     @cached_property
     def _waves(self) -> tuple[FloatArray, FloatArray]:
