@@ -11,7 +11,15 @@ from eyeline.deform import run
 from eyeline.deform.bend import Bend
 from eyeline.deform.composite import Composite, Mixture
 from eyeline.deform.deformer import Deformer
+from eyeline.deform.inflate import Inflate
+from eyeline.deform.rigid import Reflection, Rotation, Translation
+from eyeline.deform.shear import Shear
+from eyeline.deform.spherify import Spherify
+from eyeline.deform.stretch import Stretch
+from eyeline.deform.table import DEFORMERS
+from eyeline.deform.taper import Taper
 from eyeline.deform.twist import Twist
+from eyeline.deform.wave import Wave
 from eyeline.errors import GeometryError
 
 RNG = np.random.default_rng(0)
@@ -24,19 +32,29 @@ TANGENTS = np.concatenate([ALONG / np.linalg.norm(ALONG, axis=1, keepdims=True),
 PLACE = {"origin": (0.1, -0.2, 0.3), "axis": (1.0, 2.0, -0.5)}
 
 AT_WORK: dict[str, Deformer] = {
+    "translation": Translation((1.0, -2.0, 0.5), **PLACE),
+    "rotation": Rotation(2.0, **PLACE),
+    "reflection": Reflection(**PLACE),
+    "shear": Shear(0.4, -0.8, **PLACE),
+    "taper": Taper(0.6, lower=-0.5, upper=0.6, **PLACE),
     "twist": Twist(1.3, lower=-0.5, upper=0.6, **PLACE),
     "bend": Bend(1.1, towards=0.4, lower=-0.5, upper=0.6, **PLACE),
+    "stretch": Stretch(0.6, waist=0.2, lower=-0.5, upper=0.6, **PLACE),
+    "inflate": Inflate(0.5, 0.9, **PLACE),
+    "spherify": Spherify(0.7, 0.8, **PLACE),
+    "wave": Wave(0.2, 0.9, 1.0, towards=0.3, **PLACE),
     "composite": Composite((Twist(1.0), Bend(0.7, lower=-1.0, **PLACE)), weight=0.6),
     "mixture": Mixture((Twist(1.0), Bend(0.7, lower=-1.0, **PLACE))),
 }
 AT_REST: dict[str, Deformer] = {
-    "twist": Twist(0.0, **PLACE),
-    "bend": Bend(0.0, **PLACE),
-    "composite": Composite(),
-    "mixture": Mixture((Twist(0.0), Bend(0.0))),
-}
+    name: one(**PLACE) for name, one in DEFORMERS.items() if name != "reflection"
+} | {"reflection": Composite((Reflection(name="there"), Reflection(name="back")))}
 
 every_deformer = pytest.mark.parametrize("name", AT_WORK)
+
+
+def test_every_deformer_is_tried() -> None:
+    assert list(AT_WORK) == list(DEFORMERS)
 
 
 @every_deformer

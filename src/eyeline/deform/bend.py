@@ -12,42 +12,28 @@ the t of the limit. With t = 0 the quotients are 0 and 1, which are their limits
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
-
-import numpy as np
 
 from eyeline.deform.block import SIZE, WIDTH
 from eyeline.deform.limits import Limited
 from eyeline.deform.plan import Plan
-from eyeline.geometry import transform
-from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.circle import sine_cosine
 from eyeline.jit import kernel
 
 
 @dataclass(frozen=True, eq=False)
 class Bend(Limited):
-    """Bends its axis to an arc between the limits, towards its x, or where `towards` turns that."""
+    """Bends its axis to an arc between the limits, towards its x."""
 
     kind: ClassVar[str] = "bend"
 
     angle: float = 0.0  # radians from the lower limit to the upper
-    towards: float = 0.0  # radians about the axis, by the right hand, from x
 
     def act(self, plan: Plan) -> None:
         """One kernel."""
         if self.angle != 0:
             plan.run(bend, self.rate(self.angle), *self.bounds())
-
-    @property
-    def deformer_from_mesh(self) -> FloatArray:
-        """(4, 4) its frame, x in the direction it bends to."""
-        turn = transform.identity()
-        s, c = math.sin(self.towards), math.cos(self.towards)
-        turn[:3, :3] = np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
-        return transform.product(turn, super().deformer_from_mesh)
 
 
 @kernel

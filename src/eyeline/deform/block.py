@@ -91,6 +91,20 @@ def turn(state, matrix):
 
 
 @kernel
+def fade(state, reach, influence):
+    """Every influence times what is left of 1 on the way from the origin to `reach`: 1 - 3 t^2 + 2 t^3."""
+    for block in range(len(state) // SIZE):
+        m = state[block * SIZE : (block + 1) * SIZE]
+        w = influence[4 * block * WIDTH : 4 * (block + 1) * WIDTH]
+        for i in range(WIDTH):
+            x, y, z = m[i], m[i + WIDTH], m[i + 2 * WIDTH]
+            t = min(np.sqrt(x * x + y * y + z * z) / reach, 1.0)
+            slope = 6.0 * (t - 1.0) / (reach * reach) * w[i]
+            w[i] *= (1.0 - t) * (1.0 - t) * (1.0 + 2.0 * t)
+            w[i + WIDTH], w[i + 2 * WIDTH], w[i + 3 * WIDTH] = slope * x, slope * y, slope * z
+
+
+@kernel
 def mix(state, kept, influence):
     """From what was kept towards what is, by the influence w of each vertex: kept + w (state - kept).
 

@@ -43,7 +43,7 @@ class Composite(Deformer):
     @property
     def parameters(self) -> dict[str, FloatArray]:
         """Its own numbers, and those of its parts as part.number."""
-        found = super().parameters
+        found = self.numbers()
         for part in self.parts:
             found |= {f"{part.label}.{name}": value for name, value in part.parameters.items()}
         return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
@@ -18,6 +19,8 @@ from eyeline.geometry.arrays import FloatArray
 
 Vector = tuple[float, float, float]
 
+ENDLESS = {"reach", "fade"}  # numbers that may be infinite, and must be above 0 or no less
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Deformer(ABC):
@@ -25,24 +28,28 @@ class Deformer(ABC):
 
     weight: 0 leaves all as it is, 1 does all; between them points go straight from one to the other.
     mask: (V,) a weight of each vertex besides. It is taken for even around each vertex.
+    reach: how far from its origin it fades to nothing, smoothly; everywhere without.
     A deformer stands at `origin` with its y along `axis`, in the space of the mesh; or in `frame`.
     """
 
     kind: ClassVar[str]  # its name in DEFORMERS, and its own where it was given none
-    endless: ClassVar[frozenset[str]] = frozenset()  # parameters that may be infinite
 
     name: str = ""
     weight: float = 1.0
     origin: Vector = (0.0, 0.0, 0.0)  # metres
     axis: Vector = (0.0, 1.0, 0.0)  # of any length but none
-    frame: FloatArray | None = None  # (4, 4) affine, deformer_from_mesh; where given, in place of these two
+    towards: float = 0.0  # radians about the axis, by the right hand, that its x and z are turned
+    frame: FloatArray | None = None  # (4, 4) affine, deformer_from_mesh; where given, in place of these three
+    reach: float = math.inf  # metres
     mask: FloatArray | None = None  # (V,)
 
     def __post_init__(self) -> None:
         """Refuse numbers that are none, and an axis without direction."""
-        for name, value in self.parameters.items():
-            if np.isnan(value).any() or (name not in self.endless and np.isinf(value).any()):
+        for name, value in self.numbers().items():
+            if not np.isfinite(value).all() and name not in ENDLESS:
                 raise GeometryError(f"{self.label}: {name} is {value.tolist()}; every number must be finite")
+        if not self.reach > 0:
+            raise GeometryError(f"{self.label}: reach is {self.reach:g}; it must be above 0")
         if self.frame is None and not np.any(self.axis):
             raise GeometryError(f"{self.label}: axis is {tuple(self.axis)}, which has no direction")
 
@@ -53,7 +60,11 @@ class Deformer(ABC):
 
     @property
     def parameters(self) -> dict[str, FloatArray]:
-        """All numbers it has, by name: what can be keyed."""
+        """All that can be keyed, by name."""
+        return self.numbers()
+
+    def numbers(self) -> dict[str, FloatArray]:
+        """All numbers of its own, by name."""
         values = {one.name: np.asarray(getattr(self, one.name)) for one in fields(self)}
         return {name: value.astype(np.float64) for name, value in values.items() if value.dtype.kind in "fiu"}
 
@@ -103,13 +114,13 @@ class Deformer(ABC):
         if self.weight == 0:
             return
         plan.enter(self.deformer_from_mesh)
-        if self.weight == 1 and self.mask is None:
+        if self.weight == 1 and self.mask is None and self.reach == math.inf:
             self.act(plan)
             return
         mirrored = plan.mirrored
         plan.keep()
         self.act(plan)
-        plan.mix(self.weight, self.mask)
+        plan.mix(float(self.weight), self.mask, float(self.reach))
         # A mirror image less than half done is not one yet
         if self.weight <= 1 / 2:
             plan.mirrored = mirrored
@@ -130,5 +141,9 @@ class Deformer(ABC):
             matrix[:3, :3] = [[1 - f * x * x, -x, -f * x * z], [x, y, z], [-f * x * z, -z, 1 - f * z * z]]
         else:
             matrix[1, 1] = matrix[2, 2] = -1
+        if self.towards:
+            s, c = math.sin(self.towards), math.cos(self.towards)
+            turn = np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
+            matrix[:3, :3] = transform.product(turn, matrix[:3, :3])
         matrix[:3, 3] = -(matrix[:3, :3] * np.asarray(self.origin, np.float64)).sum(axis=1)
         return matrix

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 
-from eyeline.deform.block import Work, mix, turn
+from eyeline.deform.block import Work, fade, mix, turn
 from eyeline.errors import GeometryError
 from eyeline.geometry import transform
 from eyeline.geometry.arrays import FloatArray
@@ -63,15 +64,18 @@ class Plan:
         """Remember the points, to be mixed with what becomes of them."""
         self.do(Work.keep)
 
-    def mix(self, weight: float, mask: FloatArray | None) -> None:
-        """Mix the points kept last with what became of them: by weight (), times a mask (V,)."""
+    def mix(self, weight: float, mask: FloatArray | None, reach: float) -> None:
+        """Mix the points kept last with what became of them: by weight, times a mask (V,), within reach."""
         weights = None if mask is None else np.ascontiguousarray(mask, np.float64) * weight
         if weights is not None:
             self.expect(len(weights), "a mask")
 
         def step(work: Work) -> None:
             work.weigh(weight if weights is None else weights[work.begin : work.end])
-            mix(work.state, work.kept.pop(), work.influence)
+            kept = work.kept.pop()
+            if reach < math.inf:
+                fade(kept, reach, work.influence)
+            mix(work.state, kept, work.influence)
 
         self.do(step)
 
