@@ -8,6 +8,7 @@ from eyeline.deform.bend import Bend
 from eyeline.deform.composite import Composite, Mixture
 from eyeline.deform.deformer import Deformer
 from eyeline.deform.inflate import Inflate
+from eyeline.deform.lattice import Lattice
 from eyeline.deform.rigid import Reflection, Rotation, Translation
 from eyeline.deform.shear import Shear
 from eyeline.deform.spherify import Spherify
@@ -20,6 +21,6 @@ DEFORMERS: Mapping[str, type[Deformer]] = {
     one.kind: one
     for one in (
         Translation, Rotation, Reflection, Shear, Taper, Twist, Bend, Stretch, Inflate, Spherify, Wave,
-        Composite, Mixture,
+        Lattice, Composite, Mixture,
     )
 }  # fmt: skip
