@@ -73,7 +73,7 @@ def test_around_a_flat_sheet_there_is_room() -> None:
     [
         (
             {"offsets": np.zeros((1, 1, 1, 3))},
-            "lattice is 1 x 1 x 1; at least 2 points along each of three axes",
+            "lattice is 1 x 1 x 1; 2 points or more along three axes are needed",
         ),
         ({"offsets": np.zeros((4, 4, 3))}, "lattice is 4 x 4 x 3; 2 points"),
         ({"basis": "bezier"}, "basis is 'bezier'; there are bernstein, bspline"),
