@@ -13,12 +13,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
 
 import data
 import oracle
 from eyeline.files import READERS, load
 from eyeline.projection import project
 from eyeline.scene.camera import Camera
+from eyeline.scene.mesh import Mesh
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS, visible_of
 
@@ -90,3 +92,35 @@ def test_some_views_of_a_model_are_seen_as_the_oracle_sees_them(path: Path, reco
 @every_model
 def test_all_views_of_a_model_are_seen_as_the_oracle_sees_them(path: Path, record_property: Report) -> None:
     climb(path, itertools.product(SIZES, DIRECTIONS), record_property)
+
+
+# --- an outside judge -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("turn", [0.0, 2.0, 4.0])
+@pytest.mark.parametrize("name", ["stanford-bunny.obj", "teapot.obj", "spot.obj"])
+def test_embree_sees_the_same_wherever_a_pixel_is_decidable(name: str, turn: float) -> None:
+    embree = pytest.importorskip("embreex.rtcore_scene")
+    construction = pytest.importorskip("embreex.mesh_construction")
+    mesh = trimesh.load(data.data(f"mesh/{name}"), force="mesh", process=False)
+    points, numbers = np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces)
+    scene, size, angle = Scene.of(Mesh(points, numbers)), (640, 480), 0.9
+    middle, radius = scene.bounds.centre, scene.bounds.diagonal / 2
+    eye = middle + np.array([2 * math.sin(turn), 0.5, 2 * math.cos(turn)]) * radius
+    camera = Camera.look_at(eye, middle, fov=angle, near=0.1 * radius)
+
+    x, y = np.meshgrid(np.arange(size[0]) + 0.5, np.arange(size[1]) + 0.5)
+    up = np.tan(angle / 2)
+    through = [(2 * x / size[0] - 1) * up * size[0] / size[1], (1 - 2 * y / size[1]) * up, -np.ones_like(x)]
+    directions = np.stack(through, axis=-1).reshape(-1, 3) @ camera.world_from_eye[:3, :3].T
+    origins = np.tile(camera.world_from_eye[:3, 3].astype(np.float32), (len(directions), 1))
+    world = embree.EmbreeScene()
+    construction.TriangleMesh(world, points[numbers])
+    theirs = world.run(origins, directions.astype(np.float32)).reshape(size[1], size[0])
+
+    assert (theirs >= 0).mean() > 0.05
+    projected, faces = project(scene, camera, size), oracle.screened(scene, camera, size)
+    for method in ANSWERING:
+        different = np.argwhere(METHODS[method](projected).face != theirs).tolist()
+        assert len(different) < 0.01 * theirs.size
+        assert [(method, *place) for place in different if faces.is_decidable(place[1], place[0])] == []

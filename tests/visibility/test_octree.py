@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -13,7 +9,6 @@ from hypothesis import strategies as st
 
 import oracle
 import soups
-from data import PROJECT
 from eyeline.projection import project
 from eyeline.projection.projected import Projected
 from eyeline.scene.camera import Camera
@@ -219,38 +214,3 @@ def test_steps_recall_as_the_kernel_does(seed: int) -> None:
     *_, last = method.steps(projected)
     assert np.array_equal(last.data["face"], answer.face)
     assert dict(last.work) == dict(answer.work)
-
-
-# --- the same for everybody -------------------------------------------------------------------------------
-
-PROGRAM = """
-import hashlib
-import soups
-from eyeline.projection import project
-from eyeline.visibility import METHODS
-digest = hashlib.sha256()
-pictures = [soups.snapped(kind, 5, (601, 500), 2000) for kind in soups.SNAPPED]
-pictures += [project(*soups.around_the_eye(seed, 600), (601, 500)) for seed in range(6)]
-for picture in pictures:
-    answer = METHODS["octree"](picture)
-    digest.update(answer.face.tobytes() + answer.depth.tobytes() + repr(sorted(answer.work.items())).encode())
-print(digest.hexdigest())
-"""
-
-
-def digest_of(**environment: str) -> str:
-    """What another process sees, with these variables set."""
-    path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
-    run = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
-        env=os.environ | {"PYTHONPATH": path} | environment,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    return run.stdout.strip()
-
-
-def test_one_thread_and_many_give_the_same_bytes_and_counters() -> None:
-    assert len({digest_of(NUMBA_NUM_THREADS=count) for count in ("1", "2", "5")}) == 1

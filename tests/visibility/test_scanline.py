@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from fractions import Fraction
 
 import numpy as np
@@ -14,7 +11,6 @@ from hypothesis import strategies as st
 
 import oracle
 import soups
-from data import PROJECT
 from eyeline.projection import project
 from eyeline.projection.projected import Projected
 from eyeline.samples import piercing_faces
@@ -27,43 +23,11 @@ SCANLINE = METHODS["scanline"]
 by_chance = settings(max_examples=60, deadline=None, derandomize=True)
 seeds = st.integers(0, 10**6)
 
-PROGRAM = """
-import hashlib
-import soups
-from eyeline.projection import project
-from eyeline.visibility import METHODS
-digest = hashlib.sha256()
-pictures = [soups.snapped(kind, 5, (301, 200), 2000) for kind in soups.SNAPPED]
-pictures += [project(*soups.around_the_eye(seed, 600), (301, 200)) for seed in range(6)]
-for picture in pictures:
-    answer = METHODS["scanline"](picture)
-    digest.update(answer.face.tobytes() + answer.depth.tobytes() + repr(sorted(answer.work.items())).encode())
-print(digest.hexdigest())
-"""
-
 
 def scanned(projected: Projected) -> Scanned:
     answer = SCANLINE(projected)
     assert isinstance(answer, Scanned)
     return answer
-
-
-def digest_of(threads: str) -> str:
-    """What another process sees on so many threads."""
-    path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
-    run = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
-        env=os.environ | {"PYTHONPATH": path, "EYELINE_THREADS": threads},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    return run.stdout.strip()
-
-
-def test_one_thread_and_many_give_the_same_bytes_and_counters() -> None:
-    assert len({digest_of(count) for count in ("1", "2", "5")}) == 1
 
 
 # --- spans ------------------------------------------------------------------------------------------------

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +9,6 @@ import pytest
 
 import oracle
 import soups
-from data import PROJECT
 from eyeline.errors import OptionError
 from eyeline.geometry.fixedpoint import GUARD
 from eyeline.projection.projected import Projected
@@ -24,31 +20,6 @@ from eyeline.visibility.warnock.warnock import DECISIONS
 WARNOCK = METHODS["warnock"]
 SIZE = (150, 97)
 
-PROGRAM = """
-import hashlib
-import soups
-from eyeline.projection import project
-from eyeline.visibility import METHODS
-digest = hashlib.sha256()
-pictures = [soups.snapped(kind, 5, (301, 200), 2000) for kind in soups.SNAPPED]
-pictures += [project(*soups.around_the_eye(seed, 600), (301, 200)) for seed in range(6)]
-for picture in pictures:
-    answer = METHODS["warnock"](picture)
-    digest.update(answer.face.tobytes() + answer.depth.tobytes() + repr(sorted(answer.work.items())).encode())
-    digest.update(answer.areas.rectangles.tobytes() + answer.areas.decision.tobytes())
-print(digest.hexdigest())
-"""
-
-
-def digest_of(threads: str) -> str:
-    path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
-    environment = os.environ | {"PYTHONPATH": path, "EYELINE_THREADS": threads}
-    run = subprocess.run(
-        [sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, check=False
-    )
-    assert run.returncode == 0, run.stderr
-    return run.stdout.strip()
-
 
 def stacked(count: int, size: tuple[int, int], depths) -> Projected:
     """Faces that each cover the whole picture, at these depths of their corners (count, 3)."""
@@ -57,10 +28,6 @@ def stacked(count: int, size: tuple[int, int], depths) -> Projected:
     return soups.picture(
         xy, np.reshape(depths, -1), np.arange(3 * count).reshape(-1, 3), np.array([3]), size, 0
     )
-
-
-def test_one_thread_and_many_give_the_same_bytes() -> None:
-    assert len({digest_of(count) for count in ("1", "2", "5")}) == 1
 
 
 @pytest.mark.parametrize("kind", soups.SNAPPED)

@@ -1,19 +1,14 @@
-"""The depth buffer: the same bytes for everybody, and no disagreement with Embree where the eye can tell."""
+"""The depth buffer: every size of picture and of face, and callers side by side."""
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 import threading
 
 import numpy as np
 import pytest
-import trimesh
 
 import oracle
 import soups
-from data import PROJECT, data
 from eyeline.projection import project
 from eyeline.scene.camera import Camera
 from eyeline.scene.mesh import Mesh
@@ -23,50 +18,6 @@ from eyeline.visibility.zbuffer import scratch
 from eyeline.visibility.zbuffer.scratch import give_back, take
 
 ZBUFFER = METHODS["zbuffer"]
-
-PROGRAM = """
-import hashlib
-import soups
-from eyeline.projection import project
-from eyeline.visibility import METHODS
-digest = hashlib.sha256()
-pictures = [soups.snapped(kind, 5, (301, 200), 2000) for kind in soups.SNAPPED]
-pictures += [project(*soups.around_the_eye(seed, 600), (301, 200)) for seed in range(6)]
-for picture in pictures:
-    answer = METHODS["zbuffer"](picture)
-    digest.update(answer.face.tobytes() + answer.depth.tobytes() + repr(sorted(answer.work.items())).encode())
-print(digest.hexdigest())
-"""
-
-
-def digest_of(**environment: str) -> str:
-    """What another process sees, with these variables set."""
-    path = os.pathsep.join([str(PROJECT / "tests"), str(PROJECT / "src")])
-    run = subprocess.run(
-        [sys.executable, "-c", PROGRAM],
-        env=os.environ | {"PYTHONPATH": path} | environment,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    return run.stdout.strip()
-
-
-def test_one_thread_and_many_give_the_same_bytes() -> None:
-    assert len({digest_of(NUMBA_NUM_THREADS=count) for count in ("1", "2", "5")}) == 1
-
-
-@pytest.mark.slow
-def test_any_processor_gives_the_same_bytes(tmp_path) -> None:
-    """Compiled for none of this processor's own instructions."""
-    plain = digest_of(
-        NUMBA_CPU_NAME="generic",
-        NUMBA_CPU_FEATURES="",
-        OPENBLAS_CORETYPE="Prescott",
-        EYELINE_CACHE_DIR=str(tmp_path),
-    )
-    assert plain == digest_of()
 
 
 def test_callers_side_by_side_get_their_own_answers() -> None:
@@ -167,34 +118,3 @@ def test_nothing_is_counted_twice() -> None:
         oracle.one_face(projected.xy[corners], projected.depth[corners], int(side), (48, 64))[0].sum()
         for corners, side in zip(projected.faces, np.broadcast_to(projected.sides, 500), strict=True)
     )
-
-
-# --- an outside judge -------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("name", ["stanford-bunny.obj", "teapot.obj", "spot.obj"])
-def test_embree_sees_the_same_wherever_a_pixel_is_decidable(name: str) -> None:
-    file = data(f"mesh/{name}")
-    embree = pytest.importorskip("embreex.rtcore_scene")
-    construction = pytest.importorskip("embreex.mesh_construction")
-    mesh = trimesh.load(file, force="mesh", process=False)
-    points, faces = np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces)
-    scene, size, angle = Scene.of(Mesh(points, faces)), (640, 480), 0.9
-    middle, radius = scene.bounds.centre, scene.bounds.diagonal / 2
-    camera = Camera.look_at(middle + np.array([0.7, 0.5, 1.9]) * radius, middle, fov=angle, near=0.1 * radius)
-    ours = ZBUFFER(project(scene, camera, size)).face
-
-    x, y = np.meshgrid(np.arange(size[0]) + 0.5, np.arange(size[1]) + 0.5)
-    up = np.tan(angle / 2)
-    through = [(2 * x / size[0] - 1) * up * size[0] / size[1], (1 - 2 * y / size[1]) * up, -np.ones_like(x)]
-    directions = np.stack(through, axis=-1).reshape(-1, 3) @ camera.world_from_eye[:3, :3].T
-    origins = np.tile(camera.world_from_eye[:3, 3].astype(np.float32), (len(directions), 1))
-    world = embree.EmbreeScene()
-    construction.TriangleMesh(world, points[faces])
-    theirs = world.run(origins, directions.astype(np.float32)).reshape(size[1], size[0])
-
-    different = np.argwhere(ours != theirs)
-    assert (ours >= 0).mean() > 0.05
-    assert len(different) < 0.01 * ours.size
-    faces = oracle.screened(scene, camera, size)
-    assert [place for place in different.tolist() if faces.is_decidable(place[1], place[0])] == []
