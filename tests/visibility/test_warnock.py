@@ -11,11 +11,13 @@ import oracle
 import soups
 from eyeline.errors import OptionError
 from eyeline.geometry.fixedpoint import GUARD
+from eyeline.jit import threads
 from eyeline.projection.projected import Projected
 from eyeline.visibility import METHODS
+from eyeline.visibility.warnock import area_lists
 from eyeline.visibility.warnock.area_lists import TILE
 from eyeline.visibility.warnock.quartering import SMALL
-from eyeline.visibility.warnock.warnock import DECISIONS
+from eyeline.visibility.warnock.warnock import DECISIONS, decide
 
 WARNOCK = METHODS["warnock"]
 SIZE = (150, 97)
@@ -132,6 +134,25 @@ def test_too_many_faces_before_each_other_are_refused(monkeypatch: pytest.Monkey
     monkeypatch.setattr("eyeline.visibility.warnock.area_lists.MOST_ENTRIES", 3)
     with pytest.raises(OptionError, match=r"would list [\d,]+ faces.*'zbuffer'"):
         WARNOCK(stacked(300, (128, 128), steep))
+
+
+def test_a_million_faces_in_each_other_s_way_are_given_up_within_an_area(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Six sheets that cross, again and again: one look at one area is a million relations."""
+    random, count, limit = np.random.default_rng(2), 1_000_000, 10_000_000
+    six = random.uniform(-64, 192, (18, 2)).round() * 256
+    numbers = np.resize(np.arange(18).reshape(6, 3), (count, 3))
+    # All reach as near, so that in the list, too, they come by turns
+    depth = np.insert(random.uniform(0.1, 0.9, (6, 2)), 0, 1, axis=1).reshape(-1)
+    crowd = soups.picture(six, depth, numbers, np.array([3]), (128, 128), 0)
+    lists = area_lists.lists_of(crowd, area_lists.records_of(crowd))
+    picture = np.empty((128, 128), np.int32), np.empty((128, 128), np.float32)
+    monkeypatch.setattr("eyeline.visibility.warnock.warnock.MOST_WORK", limit)
+    with pytest.raises(OptionError, match=r"more than 10,000,000 times.*'zbuffer'"):
+        decide(crowd, lists, picture, (np.empty((0, 6), np.int32), np.empty(0, np.int64)))
+    # A face is counted once, and compared at four corners; each thread may be amid an area of all of them
+    assert lists.counts.sum() < 5 * (limit + threads() * count) + lists.starts[-1]
 
 
 def test_too_much_work_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from eyeline.errors import OptionError
 from eyeline.geometry.arrays import FloatArray, IntArray, read_only
 from eyeline.geometry.fixedpoint import BEFORE_CENTRE, CENTRE, UNITS, depth_plane, signed_area
-from eyeline.jit import helper, kernel, share, threads
+from eyeline.jit import helper, in_parts, kernel, share, threads
 from eyeline.projection.projected import Projected
 from eyeline.visibility.warnock.relations import (
     DISJOINT,
@@ -101,15 +101,17 @@ def cache_lines(count: int) -> IntArray:
 def lists_of(projected: Projected, records: Records) -> Lists:
     """Every tile's faces; refused are more entries than MOST_ENTRIES."""
     order = distinct(records, nearest_first(records.near))
-    # As the list is sorted in steps only: the greatest depth of what comes after counts too
-    sorted_bound = np.maximum.accumulate(records.near[order][::-1])[::-1].copy()
-    bound = np.empty_like(records.near)
-    bound[order] = sorted_bound
     width, height, parts = projected.width, projected.height, threads()
+    boxes, near = np.empty(len(order), np.int64), np.empty(len(order), np.float32)
+    in_parts(parts, _gather, order, read_only(records.boxes), read_only(records.near), boxes, near)
+    # As the list is sorted in steps only: the greatest depth of what comes after counts too
+    sorted_bound = np.maximum.accumulate(near[::-1])[::-1].copy()
+    bound = np.empty_like(records.near)
+    in_parts(parts, _scatter, order, sorted_bound, bound)
     tiles = (((width - 1) >> TILE_BITS) + 1) * (((height - 1) >> TILE_BITS) + 1)
     counts, starts = np.zeros((tiles, 8), np.int64), np.zeros(tiles + 1, np.int64)
     given = (
-        read_only(order), read_only(records.boxes[order]), read_only(sorted_bound),
+        read_only(order), read_only(boxes), read_only(sorted_bound),
         read_only(records.words), width, height,
     )  # fmt: skip
 
@@ -130,9 +132,9 @@ def lists_of(projected: Projected, records: Records) -> Lists:
 
 def distinct(records: Records, order: IntArray) -> IntArray:
     """`order` without what coincides with one of the LAST faces before it, if that has the lower number."""
-    kept = np.empty_like(order)
-    count = _distinct(read_only(order), read_only(records.boxes), read_only(records.words), kept)
-    return kept[:count]
+    again = np.empty(len(order), np.bool_)
+    given = read_only(order), read_only(records.boxes), read_only(records.words), again
+    return order[~again] if any(in_parts(threads(), _find_again, *given)) else order
 
 
 def nearest_first(near: FloatArray) -> IntArray:
@@ -144,22 +146,38 @@ def nearest_first(near: FloatArray) -> IntArray:
 
 
 @kernel
-def _distinct(order, boxes, words, kept):
-    """Fill kept; how many there are."""
-    count = 0
-    for i in range(order.shape[0]):
+def _find_again(part, parts, order, boxes, words, again):
+    """Fill again: whether a face coincides with one of the LAST before it; how many do in this part."""
+    count, total = 0, order.shape[0]
+    for i in range(total * part // parts, total * (part + 1) // parts):
         r = np.int64(order[i])
-        coincides = False
-        for k in range(max(count - LAST, 0), count):
-            q = np.int64(kept[k])
-            if boxes[q] == boxes[r] and words[WORDS * q + 6] <= words[WORDS * r + 6]:
+        box, coincides = boxes[r], False
+        for k in range(max(i - LAST, 0), i):
+            q = np.int64(order[k])
+            if boxes[q] == box and words[WORDS * q + 6] <= words[WORDS * r + 6]:
                 alike = True
                 for word in range(6):
                     alike &= words[WORDS * q + word] == words[WORDS * r + word]
                 coincides |= alike
-        kept[count] = r
-        count += not coincides
+        again[i] = coincides
+        count += coincides
     return count
+
+
+@kernel
+def _gather(part, parts, order, boxes, near, sorted_boxes, sorted_near):
+    """Boxes and nearest depths in the order of the list."""
+    total = order.shape[0]
+    for i in range(total * part // parts, total * (part + 1) // parts):
+        sorted_boxes[i], sorted_near[i] = boxes[order[i]], near[order[i]]
+
+
+@kernel
+def _scatter(part, parts, order, sorted_bound, bound):
+    """Bounds by number of the record."""
+    total = order.shape[0]
+    for i in range(total * part // parts, total * (part + 1) // parts):
+        bound[order[i]] = sorted_bound[i]
 
 
 @kernel
@@ -234,12 +252,13 @@ def _list(part, parts, order, boxes, bound, words, width, height, entries, ends,
     columns, rows = ((width - 1) >> TILE_BITS) + 1, ((height - 1) >> TILE_BITS) + 1
     fills = entries.shape[0] > 0
     found, far = np.full(columns * rows, -1, np.int32), np.empty(columns * rows, np.float32)
+    own = np.arange(rows) % parts == part  # its rows of tiles: asked of a table, for a division takes long
     for i in range(order.shape[0]):
         box = boxes[i]
         left, top, right, bottom = box & 65535, (box >> 16) & 65535, (box >> 32) & 65535, box >> 48
         r = np.int64(order[i])
         for row in range(top >> TILE_BITS, (bottom >> TILE_BITS) + 1):
-            if row % parts != part:
+            if not own[row]:
                 continue
             for column in range(left >> TILE_BITS, (right >> TILE_BITS) + 1):
                 tile, x, y = row * columns + column, column << TILE_BITS, row << TILE_BITS
@@ -256,9 +275,9 @@ def _list(part, parts, order, boxes, bound, words, width, height, entries, ends,
                     if s >= 0:
                         hidden, compared = hides(words, s, r, x, y, x + w, y + h), 4
                     if how == SURROUNDING and not hidden:
-                        own = farthest(words, r, x, y, x + w, y + h)
-                        if s < 0 or own > far[tile]:
-                            found[tile], far[tile] = r, own
+                        reach = farthest(words, r, x, y, x + w, y + h)
+                        if s < 0 or reach > far[tile]:
+                            found[tile], far[tile] = r, reach
                 if hidden:
                     counts[tile, HIDDEN] += fills
                     counts[tile, COMPARED] += compared * fills

@@ -41,15 +41,17 @@ EMPTY, SURROUNDED, SINGLE_FACE, SAMPLED = range(4)  # decisions
 
 @kernel
 def subdivide(
-    part, parts, width, height, starts, entries, words, bound, face, depth, counts, limit, areas, firsts
+    part, parts, width, height, starts, entries, words, bound, face, depth, counts, limit, spent, areas,
+    firsts,
 ):  # fmt: skip
     """Fill face and depth (as int32), both flat, and the counters, in tiles part, part + parts, ...
 
-    limit: of relations and comparisons; where all tiles together take more, it stops and says False.
+    limit: of relations and comparisons; once all parts together have taken more, it stops.
+    spent: (parts,) int64 zeros, how many each part has taken so far.
     areas: (N, 6) int32: left, top, right, bottom, decision, face, of each area that is not cut, a tile's from
     firsts[tile] on; without rows they are not written.
     """
-    columns, longest, work = ((width - 1) >> TILE_BITS) + 1, 0, 0
+    columns, longest = ((width - 1) >> TILE_BITS) + 1, 0
     for tile in range(starts.shape[0] - 1):
         longest = max(longest, starts[tile + 1] - starts[tile])
     room = np.empty((4 * CUTS + 1) * longest, np.int64)
@@ -72,6 +74,9 @@ def subdivide(
                 room, begin, end, left, top, right, bottom, x, y, side > SMALL, words, bound, own,
             )  # fmt: skip
             own[AREAS] += 1
+            spent[part] += (end - begin) + (side <= SMALL) * kept * SMALL * SMALL
+            if total(spent) > limit:
+                return
             if kept > 1 and side > SMALL:
                 own[CUT] += 1
                 half = side >> 1
@@ -94,13 +99,15 @@ def subdivide(
                 write(areas, firsts[tile] + at, x + left, y + top, x + right, y + bottom, decision, number)
                 at += 1
         finish(keys, x, y, min(TILE, width - x), min(TILE, height - y), width, face, depth)
-        work = 0
-        for i in range(counts.shape[0]):
-            for k in range(SURROUND, COMPARED + 1):
-                work += counts[i, k]
-        if work > limit:
-            return False
-    return True
+
+
+@helper
+def total(spent):
+    """The sum of all parts."""
+    work = np.int64(0)
+    for k in range(spent.shape[0]):
+        work += spent[k]
+    return work
 
 
 @helper
@@ -148,11 +155,12 @@ def look(
     so far hides what its depths at the four corners say, and all that comes when it is nearer than the rest.
     """
     kept, s, before, far = 0, np.int64(-1), 0, np.float32(0)
+    apart, contained, surrounding, hidden, compared, last = 0, 0, 0, 0, 0, end
     for i in range(begin, end):
         entry = room[i]
         r = entry & LOW32
         if s >= 0 and bound[r] < far:
-            own[HIDDEN] += end - i
+            hidden, last = hidden + end - i, i
             break
         box = entry >> 32
         how = lies(
@@ -160,13 +168,14 @@ def look(
             ((box >> 21) & 127) - 1, left, top, right, bottom, x, y,
         )  # fmt: skip
         if how == DISJOINT:
-            own[APART] += 1
+            apart += 1
             continue
-        own[CONTAIN if how == CONTAINED else (SURROUND if how == SURROUNDING else INTERSECT)] += 1
+        contained += how == CONTAINED
+        surrounding += how == SURROUNDING
         if s >= 0 and large:
-            own[COMPARED] += 4
+            compared += 4
             if hides(words, s, r, x + left, y + top, x + right, y + bottom):
-                own[HIDDEN] += 1
+                hidden += 1
                 continue
         room[begin + kept] = entry
         if how == SURROUNDING:
@@ -174,19 +183,26 @@ def look(
             if s < 0 or reach > far:
                 s, far, before = r, reach, kept
         kept += 1
+    own[APART] += apart
+    own[CONTAIN] += contained
+    own[SURROUND] += surrounding
+    own[INTERSECT] += last - begin - apart - contained - surrounding
     if s < 0 or not large:
+        own[HIDDEN] += hidden
         return kept, s
     # Those before it in the list were not compared with it yet
     left_over = 0
     for i in range(begin, begin + kept):
         if i < begin + before:
-            own[COMPARED] += 4
+            compared += 4
             r = room[i] & LOW32
             if hides(words, s, r, x + left, y + top, x + right, y + bottom):
-                own[HIDDEN] += 1
+                hidden += 1
                 continue
         room[begin + left_over] = room[i]
         left_over += 1
+    own[HIDDEN] += hidden
+    own[COMPARED] += compared
     return left_over, s
 
 

@@ -92,12 +92,14 @@ def decide(
     picture: face and depth, (H, W); areas: (N, 6) int32, and where those of each tile begin.
     """
     parts, (face, depth) = threads(), picture
+    spent = np.zeros(parts, np.int64)
     given = (
         projected.width, projected.height, read_only(lists.starts), read_only(lists.entries),
         read_only(lists.records.words), read_only(lists.bound), face.reshape(-1),
-        depth.view(np.int32).reshape(-1), lists.counts, MOST_WORK, *areas,
+        depth.view(np.int32).reshape(-1), lists.counts, MOST_WORK, spent, *areas,
     )  # fmt: skip
-    if not all(share(lambda part: subdivide(part, parts, *given), parts)):
+    share(lambda part: subdivide(part, parts, *given), parts)
+    if spent.sum() > MOST_WORK:
         raise OptionError(
             f"warnock would compare faces more than {MOST_WORK:,} times: too many lie before each other and "
             "none hides the rest; use method 'zbuffer', or a smaller picture"
