@@ -19,7 +19,7 @@ LONGEST_KERNEL = 150
 MOST_PARAMETERS = 6
 
 # What a distribution is called when it is imported.
-IMPORT_NAMES = {"pillow": "PIL", "fpdf2": "fpdf"}
+IMPORT_NAMES = {"pillow": "PIL", "fpdf2": "fpdf", "PyYAML": "yaml"}
 # Not imported by us, but needed by trimesh to read 3MF.
 NEEDED_BY_OTHERS = {"networkx"}
 

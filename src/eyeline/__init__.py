@@ -13,6 +13,7 @@ from eyeline.version import __version__
 if TYPE_CHECKING:
     from eyeline import errors, samples
     from eyeline.comparison import Comparison, compare
+    from eyeline.drawn import ExposureSheet, exposure_sheet
     from eyeline.explanation import Explanation, explain
     from eyeline.files import load
     from eyeline.motion import Clip, Curve, Track
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
     from eyeline.render.image import Image
+    from eyeline.render.reel import Reel
     from eyeline.render.visible import visible
     from eyeline.scene.camera import Camera
     from eyeline.scene.light import Light
@@ -42,6 +44,7 @@ _HOMES = {
     "Curve": "eyeline.motion",
     "Drawing": "eyeline.render.drawing",
     "Explanation": "eyeline.explanation",
+    "ExposureSheet": "eyeline.drawn",
     "Film": "eyeline.render.film",
     "Image": "eyeline.render.image",
     "Light": "eyeline.scene.light",
@@ -49,6 +52,7 @@ _HOMES = {
     "Mesh": "eyeline.scene.mesh",
     "MorphTarget": "eyeline.scene.mesh",
     "Node": "eyeline.scene.node",
+    "Reel": "eyeline.render.reel",
     "Scene": "eyeline.scene.scene",
     "Skin": "eyeline.scene.skin",
     "Texture": "eyeline.scene.texture",
@@ -58,6 +62,7 @@ _HOMES = {
     "draw": "eyeline.render.drawing",
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
+    "exposure_sheet": "eyeline.drawn",
     "film": "eyeline.render.film",
     "inbetween": "eyeline.shapes",
     "load": "eyeline.files",
@@ -76,6 +81,7 @@ __all__ = [
     "Curve",
     "Drawing",
     "Explanation",
+    "ExposureSheet",
     "Film",
     "Image",
     "Light",
@@ -83,6 +89,7 @@ __all__ = [
     "Mesh",
     "MorphTarget",
     "Node",
+    "Reel",
     "Scene",
     "Skin",
     "Texture",
@@ -93,6 +100,7 @@ __all__ = [
     "draw",
     "errors",
     "explain",
+    "exposure_sheet",
     "film",
     "inbetween",
     "load",
