@@ -11,6 +11,7 @@ from eyeline.cli.demo import demo
 from eyeline.cli.doctor import doctor
 from eyeline.cli.draw import draw
 from eyeline.cli.explain import explain
+from eyeline.cli.expose import expose
 from eyeline.cli.info import info
 from eyeline.cli.render import render
 
@@ -24,7 +25,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (render, draw, compare, explain, info, doctor, demo):
+for command in (render, draw, expose, compare, explain, info, doctor, demo):
     app.command()(command)
 
 
