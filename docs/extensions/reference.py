@@ -27,8 +27,8 @@ def public_names(_: str) -> str:
             "## Functions",
             *(described(f"eyeline.{name}", function) for name, function in functions.items()),
             "## Tables",
-            "`el.METHODS` and `el.STYLES` are what `method=` and `style=` can name:"
-            " see [methods](/methods/index.md) and [styles](/guide/styles.md).",
+            "`el.METHODS`, `el.STYLES` and `el.EASINGS` are what `method=`, `style=` and `ease=` can name:"
+            " see [methods](/methods/index.md), [styles](/guide/styles.md) and [easings](/guide/keys.md).",
             "## Classes",
             *(section(name, f"autoclass:: {name}") for name in classes),
             "## What functions take and answer",

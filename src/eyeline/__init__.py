@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from eyeline.drawn import ExposureSheet, exposure_sheet
     from eyeline.explanation import Explanation, explain
     from eyeline.files import load
-    from eyeline.motion import Clip, Curve, Track
+    from eyeline.motion import EASINGS, Clip, Curve, Easing, Key, Track, easing
     from eyeline.render.drawing import Drawing, draw
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from eyeline.visibility import METHODS
 
 _HOMES = {
+    "EASINGS": "eyeline.motion",
     "METHODS": "eyeline.visibility",
     "STYLES": "eyeline.shading.styles",
     "Camera": "eyeline.scene.camera",
@@ -43,10 +44,12 @@ _HOMES = {
     "Comparison": "eyeline.comparison",
     "Curve": "eyeline.motion",
     "Drawing": "eyeline.render.drawing",
+    "Easing": "eyeline.motion",
     "Explanation": "eyeline.explanation",
     "ExposureSheet": "eyeline.drawn",
     "Film": "eyeline.render.film",
     "Image": "eyeline.render.image",
+    "Key": "eyeline.motion",
     "Light": "eyeline.scene.light",
     "Material": "eyeline.scene.material",
     "Mesh": "eyeline.scene.mesh",
@@ -60,6 +63,7 @@ _HOMES = {
     "Track": "eyeline.motion",
     "compare": "eyeline.comparison",
     "draw": "eyeline.render.drawing",
+    "easing": "eyeline.motion",
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
     "exposure_sheet": "eyeline.drawn",
@@ -73,6 +77,7 @@ _HOMES = {
 _MODULES = ("errors", "render", "samples")  # are modules themselves; `render` is one that can be called
 
 __all__ = [
+    "EASINGS",
     "METHODS",
     "STYLES",
     "Camera",
@@ -80,10 +85,12 @@ __all__ = [
     "Comparison",
     "Curve",
     "Drawing",
+    "Easing",
     "Explanation",
     "ExposureSheet",
     "Film",
     "Image",
+    "Key",
     "Light",
     "Material",
     "Mesh",
@@ -98,6 +105,7 @@ __all__ = [
     "__version__",
     "compare",
     "draw",
+    "easing",
     "errors",
     "explain",
     "exposure_sheet",

@@ -140,7 +140,7 @@ def test_values_of_any_shape() -> None:
         ([0, 2, 1], [1, 2, 3], {}, "key 2 is at 1.0 s"),
         ([0, math.nan], [1, 2], {}, "key 1 has no finite time"),
         ([0, 1], [1, math.inf], {}, "key 1 is not finite"),
-        ([0, 1], [1, 2], {"interpolation": "bezier"}, "step, linear or cubic"),
+        ([0, 1], [1, 2], {"interpolation": "bezir"}, "'bezir'; there is 'bezier'"),
         ([0, 1], [[1, 2], [1, 2]], {"interpolation": "cubic"}, "tangent value tangent"),
         ([0, 1], [[1, 2, 3], [1, 2, 3]], {"rotation": True}, "(keys, 4)"),
         ([0, 1], [[0, 0, 0, 1], [0, 0, 0, 0]], {"rotation": True}, "key 1 is 0 0 0 0"),

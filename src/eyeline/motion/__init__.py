@@ -2,6 +2,8 @@
 
 from eyeline.motion.clip import Clip
 from eyeline.motion.curve import Curve
+from eyeline.motion.easing import EASINGS, Easing, cubic_bezier, easing, steps
+from eyeline.motion.key import Key
 from eyeline.motion.track import Track
 
-__all__ = ["Clip", "Curve", "Track"]
+__all__ = ["EASINGS", "Clip", "Curve", "Easing", "Key", "Track", "cubic_bezier", "easing", "steps"]

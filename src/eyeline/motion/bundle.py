@@ -13,6 +13,7 @@ from eyeline.jit import helper, kernel, share, threads
 
 if TYPE_CHECKING:
     from eyeline.motion.curve import Curve
+    from eyeline.motion.weave import Weave
 
 STEP, LINEAR, CUBIC, ARC, CUBIC_TURN = range(5)  # how a value is made between two keys
 
@@ -36,6 +37,7 @@ class Bundle:
     values: FloatArray  # all curves' keys, one after the other
     curves: IntArray  # (C, 6) first value, width, way; columns before the block, its width, the column in it
     columns: int  # of all blocks together
+    weave: Weave | None = None  # those that are more than glTF's
 
     @classmethod
     def of(cls, curves: Sequence[Curve], places: IntArray | None = None, columns: int = 0) -> Bundle:
@@ -49,8 +51,10 @@ class Bundle:
             places = np.stack([before, widths, np.zeros_like(widths)], axis=1)
             columns = int(widths.sum())
         shared: dict[bytes, list[int]] = {}
+        woven = [index for index, curve in enumerate(curves) if not curve.is_plain]
         for index, curve in enumerate(curves):
-            shared.setdefault(curve.times.tobytes(), []).append(index)
+            if curve.is_plain:
+                shared.setdefault(curve.times.tobytes(), []).append(index)
         timelines: list[tuple[int, int, int, int]] = []
         order: list[int] = []
         key = first = 0
@@ -70,6 +74,7 @@ class Bundle:
             values=_joined([numbers.reshape(-1) for _, numbers in packed]),
             curves=np.array(rows, dtype=np.int64).reshape(-1, 6),
             columns=columns,
+            weave=_weave(curves, woven, places),
         )
 
     def at(self, times: FloatArray, state: FloatArray | None = None) -> FloatArray:
@@ -77,16 +82,27 @@ class Bundle:
         if state is None:
             state = np.empty(len(times) * self.columns)
         times = np.ascontiguousarray(times)
-        parts = min(threads(), 1 + len(times) * len(self.curves) // SHARED)
+        woven = 0 if self.weave is None else len(self.weave.curves)
+        parts = min(threads(), 1 + len(times) * (len(self.curves) + woven) // SHARED)
         ends = [len(times) * part // parts for part in range(parts + 1)]
 
         def task(part: int) -> None:
-            interpolate(
-                times, ends[part], ends[part + 1], self.keys, self.timelines, self.values, self.curves, state
-            )
+            span = times, ends[part], ends[part + 1]
+            if len(self.curves):
+                interpolate(*span, self.keys, self.timelines, self.values, self.curves, state)
+            if self.weave is not None:
+                self.weave.follow(*span, state)
 
         share(task, parts)
         return state
+
+
+def _weave(curves: Sequence[Curve], woven: Sequence[int], places: IntArray) -> Weave | None:
+    if not woven:
+        return None
+    from eyeline.motion.weave import Weave
+
+    return Weave.of([curves[index] for index in woven], places[list(woven)])
 
 
 def _joined(arrays: Sequence[FloatArray]) -> FloatArray:
@@ -98,11 +114,11 @@ def _packed(curve: Curve) -> tuple[int, FloatArray]:
     if curve.interpolation == "cubic":
         return (CUBIC_TURN if curve.rotation else CUBIC), curve.values
     if curve.interpolation == "linear" and curve.rotation:
-        return ARC, np.column_stack([curve.values, *_arcs(curve.values)])
+        return ARC, np.column_stack([curve.values, *arcs(curve.values)])
     return (STEP if curve.interpolation == "step" else LINEAR), curve.values
 
 
-def _arcs(turns: FloatArray) -> tuple[FloatArray, FloatArray]:
+def arcs(turns: FloatArray) -> tuple[FloatArray, FloatArray]:
     """For each of (K, 4) unit quaternions the angle to the next in four dimensions, and 1 / its sine, or 0.
 
     Made of sums, products and roots alone, so that every machine finds the same.
