@@ -33,7 +33,7 @@ from eyeline.explanation.roles import (
     network,
     notes_of,
     paint,
-    picture,
+    runs,
     title_of,
 )
 from eyeline.geometry.arrays import ByteArray, IntArray
@@ -103,18 +103,24 @@ class Board:
         """Explained pixels on the stage."""
         return [(x * self.scale, y * self.scale) for x, y in points]
 
-    def drawn(
-        self, frame: Frame, seen: IntArray, ink: PIL.Image.Image, before: Mapping[str, int]
-    ) -> ByteArray:
-        """(H, W, 4): the picture so far (H, W), the sheet of marks that stay, and a frame's own.
+    def settle(self, stage: PIL.Image.Image, seen: IntArray, frame: Frame) -> None:
+        """Let a frame's pixels fall on the canvas (H, W) and the stage, and its marks that stay."""
+        before = seen.copy()
+        paint(seen, frame)
+        draw = PIL.ImageDraw.Draw(stage, "RGBA")
+        for y, begin, end, face in runs(np.where(seen != before, seen, -1)):
+            (left, top), (right, low) = self.placed([(begin, y), (end, y + 1)])
+            box = round(left), round(top), round(right) - 1, round(low) - 1
+            draw.rectangle(box, fill=tuple(self.explanation.colours[face].tolist()))
+        for mark in frame.ink:
+            self.mark(draw, mark, INK_WIDTH)
+
+    def drawn(self, frame: Frame, stage: PIL.Image.Image, before: Mapping[str, int]) -> ByteArray:
+        """(H, W, 4): a frame on what is settled.
 
         before: the counters of the frame before this one; those that changed stand out.
         """
-        stage = self.stage.copy()
-        shown = PIL.Image.fromarray(picture(seen, self.explanation.colours))
-        large = shown.resize(stage.size, PIL.Image.Resampling.NEAREST)
-        stage.paste(large, (0, 0), large)
-        stage.paste(ink, (0, 0), ink)
+        stage = stage.copy()
         draw = PIL.ImageDraw.Draw(stage, "RGBA")
         for mark in frame.marks:
             self.mark(draw, mark, 1.0)
@@ -192,13 +198,10 @@ def pictures(explanation: Explanation, most: int) -> Iterator[ByteArray]:
     """(H, W, 4) of every frame."""
     frames = list(explanation.frames(most))
     board, seen = Board(explanation, legend(frames)), canvas(explanation)
-    # Marks that stay are drawn once, on a clear sheet over the stage
-    ink, work = PIL.Image.new("RGBA", board.stage.size), dict[str, int]()
+    stage, work = board.stage.copy(), dict[str, int]()
     for frame in frames:
-        paint(seen, frame)
-        for mark in frame.ink:
-            board.mark(PIL.ImageDraw.Draw(ink), mark, INK_WIDTH)
-        yield board.drawn(frame, seen, ink, work)
+        board.settle(stage, seen, frame)
+        yield board.drawn(frame, stage, work)
         work = dict(frame.work)
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from eyeline.explanation.explanation import Explanation
 from eyeline.explanation.frames import Frame, Outlines, Points
-from eyeline.geometry.arrays import ByteArray, IntArray
+from eyeline.geometry.arrays import IntArray
 
 PAPER, STAGE, INK, FAINT = "#f7f5f0", "#ffffff", "#22252b", "#8b8f98"
 CHANGED = "#b85f00"  # a counter that a step moved
@@ -74,9 +74,11 @@ def paint(seen: IntArray, frame: Frame) -> None:
             seen[rows, columns] = face
 
 
-def picture(seen: IntArray, colours: ByteArray) -> ByteArray:
-    """(H, W, 4) sRGB of a canvas; what nothing fell on is transparent."""
-    shown = np.zeros((*seen.shape, 4), np.uint8)
-    covered = seen >= 0
-    shown[covered, :3], shown[covered, 3] = colours[seen[covered]], 255
-    return shown
+def runs(seen: IntArray) -> Iterator[tuple[int, int, int, int]]:
+    """(row, first column, column after the last, face) of every run of one face along a row of a canvas."""
+    for y in np.flatnonzero((seen >= 0).any(axis=1)).tolist():
+        row = seen[y]
+        starts = np.flatnonzero(np.diff(row, prepend=row[0] - 1)).tolist()
+        for begin, end in zip(starts, [*starts[1:], len(row)], strict=True):
+            if row[begin] >= 0:
+                yield y, begin, end, int(row[begin])

@@ -6,8 +6,6 @@ import html
 import textwrap
 from collections.abc import Iterator
 
-import numpy as np
-
 from eyeline.explanation.explanation import Explanation
 from eyeline.explanation.frames import Frame, Mark, Points
 from eyeline.explanation.roles import (
@@ -23,6 +21,7 @@ from eyeline.explanation.roles import (
     legend,
     network,
     paint,
+    runs,
     title_of,
 )
 from eyeline.geometry.arrays import ByteArray, IntArray
@@ -92,13 +91,10 @@ def panel(
 
 def blocks(seen: IntArray, colours: ByteArray) -> Iterator[str]:
     """The picture so far, a path for each face: a rectangle for each run of pixels along a row."""
-    runs: dict[int, list[str]] = {}
-    for y, row in enumerate(seen):
-        starts = np.flatnonzero(np.diff(row, prepend=row[0] - 1))
-        for begin, end in zip(starts, [*starts[1:], len(row)], strict=True):
-            if row[begin] >= 0:
-                runs.setdefault(int(row[begin]), []).append(f"M{begin} {y}h{end - begin}v1h{begin - end}z")
-    for face, pieces in runs.items():
+    rectangles: dict[int, list[str]] = {}
+    for y, begin, end, face in runs(seen):
+        rectangles.setdefault(face, []).append(f"M{begin} {y}h{end - begin}v1h{begin - end}z")
+    for face, pieces in rectangles.items():
         yield f'<path fill="#{bytes(colours[face]).hex()}" d="{"".join(pieces)}"/>'
 
 

@@ -58,7 +58,7 @@ class BackFace:
         try:
             answer = self(projected)
         except SceneError as reason:
-            yield Step("done", f"{left}, for another method to choose from: alone, {reason}", {}, work)
+            yield Step("done", f"{left}, for another method to choose from: {reason}", {}, work)
         else:
             data = {"face": answer.face, "depth": answer.depth}
             yield Step("done", f"{left}, and of one convex body they are the whole answer", data, work)
