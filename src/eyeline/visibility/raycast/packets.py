@@ -19,10 +19,13 @@ ACROSS, DOWN = 4, 2  # a block is 4x2 rays
 ROOM_ACROSS, ROOM_DOWN = TILE + ACROSS - 1, TILE + DOWN - 1  # a tile, and what blocks hang over its border
 ROOM = ROOM_ACROSS * ROOM_DOWN
 COORDINATES = 9 * LANES  # of the corners of a leaf's faces
+FEW = 6  # rays: a face before so few is tested together with the other small ones of its leaf
+PAIRS = LANES * FEW  # of a small face of a leaf and a ray
 ROUNDING = 2.0**-21  # eight roundings of float32, as a part of what is summed
 SLACK = np.float32(2.0**-13)  # pixels: more than a quotient within a tile is rounded by
 WHOLE = (TILE - 1) << 8 | (TILE - 1) << 24  # the range of all pixels of a tile
 NOWHERE = -1  # no range
+EVERY = (1 << LANES) - 1  # the bits of all lanes
 
 NODES, LEAVES, FACES, TESTS = 0, 1, 2, 3  # columns of what is counted
 
@@ -64,8 +67,9 @@ def take_tile(x_begin, y_begin, columns, rows, distance, face, own_distance, own
         own_distance[i], own_face[i] = INFINITE, -1
     for y in range(rows):
         for x in range(columns):
-            own_distance[y * ROOM_ACROSS + x] = distance[y_begin + y, x_begin + x]
-            own_face[y * ROOM_ACROSS + x] = face[y_begin + y, x_begin + x]
+            at = np.uint64(y * ROOM_ACROSS + x)
+            own_distance[at] = distance[np.uint64(y_begin + y), np.uint64(x_begin + x)]
+            own_face[at] = face[np.uint64(y_begin + y), np.uint64(x_begin + x)]
 
 
 @helper
@@ -103,6 +107,24 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
     nearest, pixels = on_stack(np.float32, LANES), on_stack(np.int32, LANES)
     over, under = on_stack(np.float64, LANES), on_stack(np.float64, LANES)
     corner = on_stack(np.float64, COORDINATES)
+    hits = on_stack(np.float32, LANES)
+    ray_x, ray_y = on_stack(np.int32, PAIRS), on_stack(np.int32, PAIRS)
+    owner, allowed = on_stack(np.int32, PAIRS), on_stack(np.int32, PAIRS)
+    few_ax, few_ay, few_ad = (
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+    )
+    few_bx, few_by, few_bd = (
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+    )
+    few_cx, few_cy, few_cd = (
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+        on_stack(np.float64, PAIRS),
+    )
     own_distance = on_stack(np.float32, ROOM)
     own_face = on_stack(np.int32, ROOM)
     row, size, pad = on_stack(np.float32, 12), on_stack(np.float32, 12), on_stack(np.float32, 3)
@@ -112,6 +134,7 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
             continue
         x_begin, y_begin = tile_x * TILE, tile_y * TILE
         columns, rows = min(TILE, width - x_begin), min(TILE, height - y_begin)
+        changed = False
         take_tile(x_begin, y_begin, columns, rows, distance, face, own_distance, own_face)
         middle_x, middle_y = x_begin + (TILE - 1) / 2, y_begin + (TILE - 1) / 2
         aim(tree, view, w0, w1, middle_x, middle_y, row, size, pad)
@@ -193,6 +216,7 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                 own = np.int32(a | b << 8 | c << 16 | f << 24)
                 # One that begins before the near plane may be anywhere
                 pixels[j] = packed if d_low < near else (NOWHERE if (a > b) | (c > f) else own)
+            few = 0
             for j in range(LANES):
                 number, packed = first_face + numbers[leaf, NUMBER, j], pixels[j]
                 shown = sides[min(number, sides.shape[0] - 1)] if number >= first_face else np.uint8(0)
@@ -200,10 +224,20 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                     continue
                 counts[FACES] += 1
                 a, b, c, f = packed & 255, (packed >> 8) & 255, (packed >> 16) & 255, (packed >> 24) & 255
-                counts[TESTS] += (b - a + 1) * (f - c + 1)
+                count = (b - a + 1) * (f - c + 1)
+                counts[TESTS] += count
                 ax, ay, ad = corner[j], corner[LANES + j], corner[2 * LANES + j]
                 bx, by, bd = corner[3 * LANES + j], corner[4 * LANES + j], corner[5 * LANES + j]
                 cx, cy, cd = corner[6 * LANES + j], corner[7 * LANES + j], corner[8 * LANES + j]
+                if count <= FEW:
+                    for y in range(c, f + 1):
+                        for x in range(a, b + 1):
+                            ray_x[few], ray_y[few], owner[few], allowed[few] = x, y, number, shown
+                            few_ax[few], few_ay[few], few_ad[few] = ax, ay, ad
+                            few_bx[few], few_by[few], few_bd[few] = bx, by, bd
+                            few_cx[few], few_cy[few], few_cd[few] = cx, cy, cd
+                            few += 1
+                    continue
                 aw, bw, cw = w0 + w1 * ad, w0 + w1 * bd, w0 + w1 * cd
                 for y in range(c, f + 1, DOWN):
                     for x in range(a, b + 1, ACROSS):
@@ -228,16 +262,73 @@ def trace_tiles(part, parts, tree, view, lens, place, nearest_box, sides, distan
                             kept = counts_for(side_shown(u, v, w), shown)
                             bit = np.int32(1 << k)
                             mask = np.int32(mask | bit if kept else mask & ~bit)
+                        if mask == 0:
+                            continue
+                        for k in range(LANES):
+                            hits[k] = np.float32(over[k] / under[k])
                         while mask != 0:
                             k = trailing_zeros(mask)
                             mask = np.int32(mask & (mask - 1))
-                            d, at = np.float32(over[k] / under[k]), (y + (k >> 2)) * ROOM_ACROSS + x + (k & 3)
+                            d, at = hits[k], (y + (k >> 2)) * ROOM_ACROSS + x + (k & 3)
                             if (d < near) | (np.float64(d) >= most):
                                 continue
                             nearer = d < own_distance[at]
                             if nearer | ((d == own_distance[at]) & (number < own_face[at])):
-                                own_distance[at], own_face[at] = d, number
+                                own_distance[at], own_face[at], changed = d, number, True
+            # Small faces, eight pairs of a face and a ray at a time
+            for first in range(0, few, LANES):
+                mask, doubt = np.int32(0), np.int32(0)
+                for k in range(LANES):
+                    at = np.uint64(first + k)
+                    p, q = np.float64(x_begin + ray_x[at]), np.float64(y_begin + ray_y[at])
+                    ax, ay, ad = few_ax[at], few_ay[at], few_ad[at]
+                    bx, by, bd = few_bx[at], few_by[at], few_bd[at]
+                    cx, cy, cd = few_cx[at], few_cy[at], few_cd[at]
+                    aw, bw, cw = w0 + w1 * ad, w0 + w1 * bd, w0 + w1 * cd
+                    u, v, w, unsure = crosses(
+                        ax - p * aw, ay - q * aw, bx - p * bw, by - q * bw, cx - p * cw, cy - q * cw
+                    )
+                    over[k], under[k] = u * ad + v * bd + w * cd, u + v + w
+                    kept = counts_for(side_shown(u, v, w), allowed[at])
+                    mask = np.int32(mask | (np.int32(1) << k if kept else np.int32(0)))
+                    doubt = np.int32(doubt | (np.int32(1) << k if unsure else np.int32(0)))
+                # What stands after the last pair is not one
+                real = EVERY >> max(first + LANES - few, 0)
+                doubt, mask = np.int32(doubt & real), np.int32(mask & real)
+                while doubt != 0:
+                    k = trailing_zeros(doubt)
+                    doubt = np.int32(doubt & (doubt - 1))
+                    at = np.uint64(first + k)
+                    p, q = np.float64(x_begin + ray_x[at]), np.float64(y_begin + ray_y[at])
+                    ax, ay, ad = few_ax[at], few_ay[at], few_ad[at]
+                    bx, by, bd = few_bx[at], few_by[at], few_bd[at]
+                    cx, cy, cd = few_cx[at], few_cy[at], few_cd[at]
+                    aw, bw, cw = w0 + w1 * ad, w0 + w1 * bd, w0 + w1 * cd
+                    u, v, w = exact_crosses(
+                        ax - p * aw, ay - q * aw, bx - p * bw, by - q * bw, cx - p * cw, cy - q * cw
+                    )
+                    over[k], under[k] = u * ad + v * bd + w * cd, u + v + w
+                    kept = counts_for(side_shown(u, v, w), allowed[at])
+                    bit = np.int32(1 << k)
+                    mask = np.int32(mask | bit if kept else mask & ~bit)
+                if mask == 0:
+                    continue
+                for k in range(LANES):
+                    hits[k] = np.float32(over[k] / under[k])
+                while mask != 0:
+                    k = trailing_zeros(mask)
+                    mask = np.int32(mask & (mask - 1))
+                    d, number = hits[k], owner[first + k]
+                    own = ray_y[first + k] * ROOM_ACROSS + ray_x[first + k]
+                    if (d < near) | (np.float64(d) >= most):
+                        continue
+                    nearer = d < own_distance[own]
+                    if nearer | ((d == own_distance[own]) & (number < own_face[own])):
+                        own_distance[own], own_face[own], changed = d, number, True
+        if not changed:
+            continue
         for y in range(rows):
             for x in range(columns):
-                distance[y_begin + y, x_begin + x] = own_distance[y * ROOM_ACROSS + x]
-                face[y_begin + y, x_begin + x] = own_face[y * ROOM_ACROSS + x]
+                at = np.uint64(y * ROOM_ACROSS + x)
+                distance[np.uint64(y_begin + y), np.uint64(x_begin + x)] = own_distance[at]
+                face[np.uint64(y_begin + y), np.uint64(x_begin + x)] = own_face[at]
