@@ -20,6 +20,7 @@ from eyeline.visibility.zbuffer.bands import draw_bands
 from eyeline.visibility.zbuffer.binning import bin_faces
 
 WORK = ("faces", "faces turned away", "faces beside pixels", "depth tests")  # what is counted
+FEW = 1 << 13  # faces: sooner binned than handed to a second thread
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ class ZBuffer:
         face = recycled((height, width), np.int32)
         depth = recycled((height, width), np.float32)
         scratch = shelf.take(parts, (width, height), len(projected.faces))
-        scratch, counts = binned(projected, scratch, parts)
+        scratch, counts = binned(projected, scratch, parts if len(projected.faces) > FEW else 1)
         flat = depth.view(np.int32).reshape(-1), face.reshape(-1)
         tests = share(lambda part: draw_bands(part, parts, (width, height), scratch, *flat), parts)
         shelf.give_back(scratch)
@@ -85,12 +86,13 @@ class ZBuffer:
 
 
 def binned(projected: Projected, scratch: shelf.Scratch, parts: int) -> tuple[shelf.Scratch, IntArray]:
-    """All faces in the bins of `scratch`, or of a larger one; with the counters of every part."""
+    """All faces in the bins of so many parts of `scratch`, or of a larger one; with their counters."""
     faces, sides = read_only(projected.faces).reshape(-1), read_only(projected.sides)
     corners, depth = read_only(projected.xy.view(np.int64)).reshape(-1), read_only(projected.depth)
     uncut, pieces = projected.face_count, read_only(projected.piece_source)
     size = projected.width, projected.height
     counts = np.zeros((parts, 64), dtype=np.int64)
+    scratch.ends[parts:] = 0
 
     def bin_part(room: shelf.Scratch, part: int) -> None:
         bin_faces(part, parts, faces, corners, depth, sides, uncut, pieces, size, room, counts[part])
