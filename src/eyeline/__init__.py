@@ -16,7 +16,21 @@ if TYPE_CHECKING:
     from eyeline.drawn import ExposureSheet, exposure_sheet
     from eyeline.explanation import Explanation, explain
     from eyeline.files import load
-    from eyeline.motion import EASINGS, Clip, Curve, Easing, Key, Track, easing
+    from eyeline.geometry.quaternion import turn
+    from eyeline.motion import (
+        EASINGS,
+        Clip,
+        Curve,
+        Easing,
+        Key,
+        Path,
+        Shot,
+        Track,
+        constraints,
+        easing,
+        in_turn,
+        together,
+    )
     from eyeline.render.drawing import Drawing, draw
     from eyeline.render.film import Film, film
     from eyeline.render.frame import render
@@ -55,26 +69,37 @@ _HOMES = {
     "Mesh": "eyeline.scene.mesh",
     "MorphTarget": "eyeline.scene.mesh",
     "Node": "eyeline.scene.node",
+    "Path": "eyeline.motion",
     "Reel": "eyeline.render.reel",
     "Scene": "eyeline.scene.scene",
+    "Shot": "eyeline.motion",
     "Skin": "eyeline.scene.skin",
     "Texture": "eyeline.scene.texture",
     "TextureSlot": "eyeline.scene.texture",
     "Track": "eyeline.motion",
     "compare": "eyeline.comparison",
+    "constraints": "eyeline.motion.constraints",
     "draw": "eyeline.render.drawing",
     "easing": "eyeline.motion",
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
     "exposure_sheet": "eyeline.drawn",
     "film": "eyeline.render.film",
+    "in_turn": "eyeline.motion",
     "inbetween": "eyeline.shapes",
     "load": "eyeline.files",
     "render": "eyeline.render",
     "samples": "eyeline.samples",
+    "together": "eyeline.motion",
+    "turn": "eyeline.geometry.quaternion",
     "visible": "eyeline.render.visible",
 }  # public name -> the module that holds it
-_MODULES = ("errors", "render", "samples")  # are modules themselves; `render` is one that can be called
+_MODULES = (
+    "constraints",
+    "errors",
+    "render",
+    "samples",
+)  # are modules themselves; `render` is one that can be called
 
 __all__ = [
     "EASINGS",
@@ -96,24 +121,30 @@ __all__ = [
     "Mesh",
     "MorphTarget",
     "Node",
+    "Path",
     "Reel",
     "Scene",
+    "Shot",
     "Skin",
     "Texture",
     "TextureSlot",
     "Track",
     "__version__",
     "compare",
+    "constraints",
     "draw",
     "easing",
     "errors",
     "explain",
     "exposure_sheet",
     "film",
+    "in_turn",
     "inbetween",
     "load",
     "render",
     "samples",
+    "together",
+    "turn",
     "visible",
 ]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
+from eyeline.errors import GeometryError
 from eyeline.geometry.arrays import FloatArray
 
 IDENTITY = (0.0, 0.0, 0.0, 1.0)
@@ -23,6 +24,17 @@ def from_axis_angle(axis: npt.ArrayLike, angle: npt.ArrayLike) -> FloatArray:
     axis = np.asarray(axis, dtype=np.float64)
     vector = axis * np.sin(half)
     return np.concatenate([vector, np.broadcast_to(np.cos(half), (*vector.shape[:-1], 1))], axis=-1)
+
+
+def turn(angle: float, axis: npt.ArrayLike = (0, 1, 0)) -> FloatArray:
+    """The turn (4,) by an angle in radians, right-handed, about an axis of any length but 0."""
+    direction = np.asarray(axis, dtype=np.float64)
+    length = np.sqrt((direction * direction).sum())
+    if direction.shape != (3,) or not 0 < length < np.inf or not np.isfinite(angle):
+        raise GeometryError(
+            f"a turn by {angle} about {direction.tolist()}; an angle and a direction are needed"
+        )
+    return from_axis_angle(direction / length, angle)
 
 
 def multiply(a: npt.ArrayLike, b: npt.ArrayLike) -> FloatArray:

@@ -1,9 +1,27 @@
-"""Pure functions of time: curves, the tracks they move, and clips of tracks."""
+"""Pure functions of time: curves, the tracks they move, clips of tracks, and shots that write them."""
 
+from eyeline.motion.act import Act, in_turn, together
 from eyeline.motion.clip import Clip
 from eyeline.motion.curve import Curve
 from eyeline.motion.easing import EASINGS, Easing, cubic_bezier, easing, steps
 from eyeline.motion.key import Key
+from eyeline.motion.path import Path
+from eyeline.motion.shot import Shot
 from eyeline.motion.track import Track
 
-__all__ = ["EASINGS", "Clip", "Curve", "Easing", "Key", "Track", "cubic_bezier", "easing", "steps"]
+__all__ = [
+    "EASINGS",
+    "Act",
+    "Clip",
+    "Curve",
+    "Easing",
+    "Key",
+    "Path",
+    "Shot",
+    "Track",
+    "cubic_bezier",
+    "easing",
+    "in_turn",
+    "steps",
+    "together",
+]
