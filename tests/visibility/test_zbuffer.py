@@ -118,3 +118,17 @@ def test_nothing_is_counted_twice() -> None:
         oracle.one_face(projected.xy[corners], projected.depth[corners], int(side), (48, 64))[0].sum()
         for corners, side in zip(projected.faces, np.broadcast_to(projected.sides, 500), strict=True)
     )
+
+
+def test_faces_binned_by_one_thread_and_by_several_give_the_same_picture(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """In turn, on one scratch: what several leave in their bins is nothing to the one after them."""
+    monkeypatch.setattr("eyeline.visibility.zbuffer.zbuffer.threads", lambda: 3)
+    for seed, few in enumerate((0, 3000, 0, 3000)):
+        monkeypatch.setattr("eyeline.visibility.zbuffer.zbuffer.FEW", few)
+        projected = soups.snapped("mixed", seed, (131, 97), 3000)
+        face, depth = oracle.seen(projected)
+        answer = ZBUFFER(projected)
+        assert np.array_equal(answer.face, face)
+        assert np.array_equal(answer.depth, depth)
