@@ -15,9 +15,10 @@ from eyeline.geometry.bvh import CHILD, EXTENT, MIDDLE, NO_CHILD, NUMBER, STACK,
 from eyeline.geometry.clustering import SLOTS
 from eyeline.geometry.crossing import crosses, exact_crosses, side_shown
 from eyeline.geometry.morton import keys_of_places
-from eyeline.jit import in_parts, kernel, on_stack, threads, trailing_zeros
+from eyeline.jit import fetch, in_parts, kernel, on_stack, threads, trailing_zeros
 
 CHUNK = 1024  # rays that a thread takes at a time
+AHEAD, RAY_BYTES = 8, 12  # rays asked for before their turn; of an origin, or a direction
 ROUNDING = np.float32(2.0**-21)  # eight roundings of float32, as a part of what is added
 STEEPEST = np.float32(1e18)  # lengths per metre: as good as never
 
@@ -76,6 +77,12 @@ def cast_rays(part, parts, tree, origins, directions, keys_of_rays, bits, any_hi
     for number in range(part * CHUNK, origins.shape[0]):
         if (number // CHUNK) % parts != part:
             continue
+        # Rays stand in no order in memory: those to come are asked for in time
+        later = np.int64(keys_of_rays[min(number + AHEAD, origins.shape[0] - 1)] & lower)
+        fetch(origins.ctypes.data + RAY_BYTES * later)
+        fetch(directions.ctypes.data + RAY_BYTES * later)
+        fetch(length.ctypes.data + length.itemsize * later)
+        fetch(face.ctypes.data + face.itemsize * later)
         ray = np.int64(keys_of_rays[number] & lower)
         ox, oy, oz = origins[ray, 0], origins[ray, 1], origins[ray, 2]
         dx, dy, dz = directions[ray, 0], directions[ray, 1], directions[ray, 2]
