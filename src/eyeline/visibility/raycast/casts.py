@@ -14,7 +14,7 @@ from eyeline.geometry.bvh import Bvh, bvh_of
 from eyeline.geometry.fixedpoint import UNITS
 from eyeline.projection.projected import Projected
 from eyeline.scene.mesh import Mesh
-from eyeline.visibility.raycast.packets import TILE
+from eyeline.visibility.raycast.tiles import TILE
 
 CORNERS = np.array([[x, y, z, 1] for x in (0, 1) for y in (0, 1) for z in (0, 1)], np.float64)
 

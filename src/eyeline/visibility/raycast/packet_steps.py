@@ -13,7 +13,7 @@ from eyeline.geometry.bvh import CHILD, EXTENT, MIDDLE, NO_CHILD, NO_FACE, NUMBE
 from eyeline.geometry.crossing import crosses, exact_crosses, side_shown
 from eyeline.visibility.method import Step, counted
 from eyeline.visibility.raycast.casts import Cast
-from eyeline.visibility.raycast.packets import ROUNDING, SLACK, TILE, counts_for
+from eyeline.visibility.raycast.tiles import ROUNDING, SLACK, TILE, counts_for
 
 
 class Range(NamedTuple):

@@ -18,7 +18,8 @@ from eyeline.projection.projected import Projected
 from eyeline.visibility.method import Step, Visible
 from eyeline.visibility.raycast.casts import casts_of, lens_of
 from eyeline.visibility.raycast.packet_steps import Packet, Sight
-from eyeline.visibility.raycast.packets import TILE, trace_tiles
+from eyeline.visibility.raycast.packets import trace_tiles
+from eyeline.visibility.raycast.tiles import TILE
 
 WORK = ("rays", "nodes opened", "leaves opened", "faces tested", "ray tests")  # what is counted
 
