@@ -2,7 +2,12 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
+import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from eyeline.drawn.exposure import Exposure, exposures
 from eyeline.drawn.tables import from_csv, from_yaml
@@ -74,10 +79,18 @@ def test_yaml_says_the_same() -> None:
     assert from_yaml("layers: {a: [x, ~, 7]}\nframes: 9", None).layers["a"] == {1: "x", 2: "", 3: "7"}
 
 
+GOOD = (
+    "frame,sky,ball\n1,sky,a\n3,,inbetween\n5,,b\n9,,repeat 1-4\n",
+    "on: 2\nfps: 12\nsize: [64, 36]\nlayers:\n  sky: [paper]\n  ball: {1: a, 4: inbetween, 6: b}\n",
+)
+DAMAGE = [*"0123456789,:[]{}-\n \"'x&*!é#|>", "\0", "", "1e9", "~", "<<", "!!set"]
+
 BROKEN = {
     "": (from_csv, "has no frames"),
     "a,b\n": (from_csv, "has no frames"),
     "a,b\n\n\n": (from_csv, "has no frames"),
+    'a\n"b\n': (from_csv, "is no CSV that can be read"),
+    "frame,a,b,c,d,e,f,g,h,i,j,k\n1000000,x\n": (from_csv, "has 1,000,000 frames of 11 layers"),
     "a,a\n1,2\n": (from_csv, "names layer 'a' twice or not at all"),
     "frame,\n1,2\n": (from_csv, "names layer '' twice"),
     "a\nb,c\n": (from_csv, "line 2 has 2 cells for 1 columns"),
@@ -103,6 +116,21 @@ def test_a_sheet_that_means_nothing_is_refused(text: str) -> None:
     reader, sentence = BROKEN[text]
     with pytest.raises(FileError, match=sentence):
         reader(text, None)
+
+
+@settings(derandomize=True, deadline=None, max_examples=400)
+@given(st.integers(0, 2**32 - 1), st.sampled_from([0, 1]))
+def test_a_damaged_sheet_is_read_or_refused(seed: int, which: int) -> None:
+    """One sentence, whatever happens to a sheet on its way."""
+    reader = (from_csv, from_yaml)[which]
+    random, letters = np.random.default_rng(seed), list(GOOD[which])
+    for _ in range(random.integers(1, 5)):
+        place = int(random.integers(len(letters)))
+        letters[place : place + int(random.integers(0, 5))] = str(random.choice(DAMAGE))
+    with suppress(FileError):
+        table = reader("".join(letters), None)
+        for cells in table.layers.values():
+            assert len(exposures(cells, table.frames)) == table.frames
 
 
 def test_an_exposure_of_a_drawing_is_no_in_between() -> None:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from eyeline.errors import FileError
+from eyeline.errors import FileError, GeometryError
 from eyeline.files.svg.cels import cel_of
+from eyeline.files.svg.drawer import png_of
 from eyeline.files.svg.picture import picture_of, size_of, text_of
 from eyeline.files.svg.safety import ELEMENTS, checked
 
@@ -64,6 +69,11 @@ def test_a_document_type_is_left_aside() -> None:
     assert checked(drawing("<rect/>", head)).startswith("<svg")
 
 
+DAMAGE = (
+    b"1e999", b"-1e30", b"nan", b"0", b'"', b"<", b">", b"M", b"A", b"Z", b"c", b"%", b"99999999999", b"\xff",
+    b"url(#r)", b"matrix(0 0 0 0 0 0)", b"scale(1e20)", b" ", b"px", b"-", b"",
+)  # fmt: skip
+
 SHAPES = {
     "rect": '<rect x="10" y="10" width="40" height="20" fill="#ff0000"/>',
     "turned and moved": '<g transform="translate(20 5) rotate(10)"><circle cx="20" cy="20" r="12"/></g>',
@@ -106,6 +116,65 @@ def test_a_drawing_fits_into_the_middle() -> None:
 )
 def test_the_size_of_a_drawing_is_known(attributes: str, size: tuple[int, int]) -> None:
     assert size_of(checked(drawing("", attributes=attributes))) == size
+
+
+HUGE = {
+    "curve": '<path d="M10 40C10 10 60 99999999999 60 40A20 20 0 0 1 7-1e30z" fill="teal"/>',
+    "stroke": '<polyline points="5,5 20,40" stroke="navy" stroke-width="399999999999"/>',
+    "infinite": '<path d="M1e999 5h10v10z"/>',
+}
+
+
+@pytest.mark.parametrize("name", HUGE)
+def test_numbers_that_break_the_renderer_do_not_break_us(name: str) -> None:
+    """It may draw them or be refused; resvg is known to abort its process at some of them."""
+    text = checked(drawing(HUGE[name]))
+    with suppress(FileError):
+        assert picture_of(text, (64, 32)).shape == (32, 64, 4)
+    with suppress(FileError, GeometryError):
+        cel = cel_of(text)
+        cel.inbetween(cel).at(0.5)
+
+
+def test_an_aborted_renderer_is_a_refusal() -> None:
+    with pytest.raises(FileError, match="cannot be drawn"):
+        png_of("<svg")
+
+
+@settings(derandomize=True, deadline=None, max_examples=300)
+@given(st.integers(0, 2**32 - 1), st.sampled_from(sorted(SHAPES)))
+def test_a_damaged_drawing_is_read_or_refused(seed: int, name: str) -> None:
+    random, data = np.random.default_rng(seed), bytearray(drawing(SHAPES[name]))
+    for _ in range(random.integers(1, 6)):
+        place = int(random.integers(len(data)))
+        data[place : place + int(random.integers(0, 5))] = DAMAGE[random.integers(len(DAMAGE))]
+    with suppress(FileError, GeometryError):
+        text = checked(bytes(data))
+        with suppress(FileError):
+            size_of(text)
+        cel = cel_of(text)
+        text_of(cel.inbetween(cel).at(0.5))
+
+
+PAINTED_BY_ITSELF = (
+    '<pattern id="p" width="1" height="1"><rect width="1" height="1" fill="url(#p)"/></pattern>'
+    '<rect width="9" height="9" fill="url(#p)"/>'
+)
+
+
+def test_paint_counts_as_drawing() -> None:
+    """Patterns of patterns would be drawn a billion times, or for ever."""
+    layers = "".join(
+        f'<pattern id="p{k}">' + f'<rect fill="url(#p{k + 1})"/>' * 10 + "</pattern>" for k in range(8)
+    )
+    with pytest.raises(FileError, match="draws more than 100,000 elements"):
+        checked(drawing(f'{layers}<pattern id="p8"><rect/></pattern>'))
+    with pytest.raises(FileError, match="<rect> draws itself"):
+        checked(drawing(PAINTED_BY_ITSELF))
+    style = "<style>rect{fill:url(#p)}</style>"
+    with pytest.raises(FileError, match="<style> paints with 'p'; it may with gradients only"):
+        checked(drawing(f'{style}<pattern id="p"><rect/></pattern>'))
+    assert checked(drawing(f'{style}<linearGradient id="p"/>'))
 
 
 def test_what_cannot_be_in_betweened_is_refused() -> None:

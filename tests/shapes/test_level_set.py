@@ -97,8 +97,16 @@ def test_what_encloses_nothing_is_refused() -> None:
         LevelSet(sheet, sphere(1), cells=CELLS).at(0)
 
 
+def test_a_mere_point_is_refused() -> None:
+    point = el.Mesh(np.zeros((3, 3)), [(0, 1, 2)])
+    with pytest.raises(GeometryError, match="the shapes are but a point"):
+        LevelSet(point, point)
+    with pytest.raises(GeometryError, match="has no area, so it has no centre to align"):
+        LevelSet(sphere(1), point, align="centre")
+
+
 def test_options_out_of_range_are_refused() -> None:
-    with pytest.raises(OptionError, match="cells is 4; 8 to 512"):
+    with pytest.raises(OptionError, match="cells is 4; 8 to 384"):
         LevelSet(sphere(1), sphere(1), cells=4)
     with pytest.raises(OptionError, match="align is 'left'; there is none, centre, box"):
         LevelSet(sphere(1), sphere(1), align="left")

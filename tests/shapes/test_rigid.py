@@ -80,6 +80,17 @@ def test_points_of_no_face_go_straight() -> None:
     np.testing.assert_allclose(Rigid(start, end).sample([0.5])[0, 3], (6, 5, 5), atol=1e-12)
 
 
+def test_faces_without_area_follow() -> None:
+    """A needle among the faces, and a mesh of nothing else: no number is lost."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.5, 0, 0)]
+    start = el.Mesh(points, [(0, 1, 2), (0, 3, 1)])
+    end = el.Mesh(np.multiply(points, 2), start.faces)
+    np.testing.assert_allclose(Rigid(start, end).at(0.5).points[:3], np.multiply(points, 1.5)[:3], atol=1e-6)
+    needle = el.Mesh([(0, 0, 0), (1, 0, 0), (2, 0, 0)], [(0, 1, 2)])
+    moved_needle = el.Mesh([(0, 2, 0), (1, 2, 0), (2, 2, 0)], [(0, 1, 2)])
+    np.testing.assert_allclose(Rigid(needle, moved_needle).sample([0.5])[0, :, 1], 1, atol=1e-12)
+
+
 def test_creases_stay_crisp() -> None:
     start = block((1, 1, 1))
     half = Rigid(start, moved(start, turned(start.points, 1.0))).at(0.5)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import NamedTuple
 
 from eyeline.errors import FileError
@@ -29,33 +31,30 @@ def exposures(cells: Mapping[int, str], frames: int) -> tuple[Exposure | None, .
     shows frames 1 to 8 again and again, until something else is written.
     """
     starts = sorted(frame for frame, words in cells.items() if words and frame <= frames)
+    keys = [start for start in starts if is_drawing(cells[start])]
+    breaks = [
+        start for start in starts if not (is_drawing(cells[start]) or INBETWEEN.fullmatch(cells[start]))
+    ]
     shown: list[Exposure | None] = [None] * ((starts[0] if starts else frames + 1) - 1)
-    for place, start in enumerate(starts):
-        end = starts[place + 1] if place + 1 < len(starts) else frames + 1
+    for start, end in pairwise([*starts, frames + 1]):
         words = cells[start]
         if found := REPEAT.fullmatch(words):
             shown += repeated(shown, int(found[1]), int(found[2]), start, end)
+        elif found := INBETWEEN.fullmatch(words):
+            first, last = neighbours(keys, breaks, start)
+            part = float(found[1]) / 100 if found[1] else (start - first) / (last - first)
+            shown += [Exposure(cells[first], cells[last], part)] * (end - start)
         else:
-            shown += [one_exposure(cells, starts, place)] * (end - start)
+            shown += [Exposure(words) if is_drawing(words) else None] * (end - start)
     return tuple(shown)
 
 
-def one_exposure(cells: Mapping[int, str], starts: list[int], place: int) -> Exposure | None:
-    """What is shown from the frame at this place of `starts`."""
-    words = cells[starts[place]]
-    if words.lower() == BLANK:
-        return None
-    found = INBETWEEN.fullmatch(words)
-    if not found:
-        return Exposure(words)
-    before = max((k for k in range(place) if is_drawing(cells[starts[k]])), default=None)
-    after = min((k for k in range(place, len(starts)) if is_drawing(cells[starts[k]])), default=None)
-    others = range((before or 0) + 1, after or 0)
-    if before is None or after is None or not all(INBETWEEN.fullmatch(cells[starts[k]]) for k in others):
-        raise FileError(f"frame {starts[place]} is an in-between, but not between two drawings")
-    first, last = starts[before], starts[after]
-    part = float(found[1]) / 100 if found[1] else (starts[place] - first) / (last - first)
-    return Exposure(cells[first], cells[last], part)
+def neighbours(keys: list[int], breaks: list[int], frame: int) -> tuple[int, int]:
+    """The frames of the drawings before and after an in-between; only in-betweens lie between them."""
+    after = bisect_left(keys, frame)
+    if 0 < after < len(keys) and bisect_left(breaks, keys[after - 1]) == bisect_left(breaks, keys[after]):
+        return keys[after - 1], keys[after]
+    raise FileError(f"frame {frame} is an in-between, but not between two drawings")
 
 
 def is_drawing(words: str) -> bool:

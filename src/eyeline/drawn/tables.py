@@ -13,6 +13,7 @@ from eyeline.files.extra import extra
 
 CHARACTERS = 2**22  # of a sheet
 FRAMES = 1_000_000
+CELLS = 10_000_000  # frames of all layers together
 FRAME = "frame"  # the first column, where there is one, says so
 KNOWN = {"layers", "on", "fps", "size", "frames"}
 
@@ -26,13 +27,25 @@ class Table:
     fps: float | None = None
     size: tuple[int, int] | None = None
 
+    def __post_init__(self) -> None:
+        """Refuse more than anybody draws: a few bytes can claim it."""
+        if self.frames > FRAMES or self.frames * len(self.layers) > CELLS:
+            raise FileError(
+                f"has {self.frames:,} frames of {len(self.layers):,} layers; at most {FRAMES:,} frames,"
+                f" and {CELLS:,} of all layers together, are read"
+            )
+
 
 def from_csv(text: str, on: int | None) -> Table:
     """The first row names the layers, from back to front; each other row is exposed for `on` frames.
 
     A first column `frame` says where each row begins instead; the last row is then exposed for `on` frames.
     """
-    rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(text, newline=""), strict=True)]
+    try:
+        written = csv.reader(io.StringIO(text, newline=""), strict=True)
+        rows = [[cell.strip() for cell in row] for row in written]
+    except csv.Error as error:
+        raise FileError(f"is no CSV that can be read ({error}); save it again") from error
     while rows and not rows[-1]:  # lines at the end that hold nothing, not even commas
         rows.pop()
     if len(rows) < 2:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eyeline.errors import OptionError
+from eyeline.errors import GeometryError, OptionError
 from eyeline.geometry.arrays import FloatArray
 from eyeline.geometry.bounds import Bounds
 from eyeline.scene.mesh import Mesh
@@ -45,6 +45,8 @@ def by_centre(mesh: Mesh) -> Frame:
     """About the centroid of its surface, as large as its points are away from it in the mean."""
     corners = mesh.points.astype(np.float64)[mesh.faces]
     areas = np.sqrt((np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) ** 2).sum(axis=1))
+    if not areas.sum() > 0:
+        raise GeometryError(f"mesh {mesh.name!r} has no area, so it has no centre to align; a body is needed")
     centre = np.average(corners.mean(axis=1), axis=0, weights=areas)
     spread = np.average(((corners.mean(axis=1) - centre) ** 2).sum(axis=1), weights=areas)
     return Frame(centre, np.full(3, np.sqrt(spread)))

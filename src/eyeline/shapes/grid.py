@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from eyeline.errors import OptionError
+from eyeline.errors import GeometryError, OptionError
 from eyeline.geometry.arrays import FloatArray, IntArray
 from eyeline.geometry.bounds import Bounds
 
 MARGIN = 3  # cells around what the grid must hold, so that no surface reaches its border
-FEWEST, MOST = 8, 512  # cells along the longest side
+FEWEST, MOST = 8, 384  # cells along the longest side
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,10 +24,12 @@ class Grid:
 
     @classmethod
     def around(cls, bounds: Bounds, cells: int) -> Grid:
-        """The grid of so many points along its longest side that has room for a box."""
+        """So many points along the longest side, with room for a box. Refused: a mere point."""
         if not FEWEST <= cells <= MOST:
             raise OptionError(f"cells is {cells}; {FEWEST} to {MOST} along the longest side are needed")
         extent = bounds.high - bounds.low
+        if not extent.max() > 0:
+            raise GeometryError("the shapes are but a point; a body is needed")
         step = float(extent.max()) / (cells - 1 - 2 * MARGIN)
         counts = np.ceil(extent / step).astype(int) + 1 + 2 * MARGIN
         low = bounds.centre - step * (counts - 1) / 2

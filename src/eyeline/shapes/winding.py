@@ -28,9 +28,9 @@ def inside(grid: Grid, points: FloatArray, faces: IntArray) -> BoolArray:
     corners = read_only(np.ascontiguousarray(faces, np.int32).reshape(-1))
 
     def rays(axis: int) -> IntArray:
-        entered = np.zeros(grid.size, np.int8)
+        entered = np.zeros(grid.size, np.int16)
         enter_rows(places, corners, axis, grid.counts, entered)
-        before = np.cumsum(entered.reshape(grid.counts), axis=axis, dtype=np.int16)
+        before = np.cumsum(entered.reshape(grid.counts), axis=axis, dtype=np.int32)
         whole = np.take(before, [-1], axis=axis)
         both: IntArray = 2 * before - whole
         return both

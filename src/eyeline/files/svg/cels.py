@@ -17,6 +17,7 @@ from eyeline.shapes.outline import Outline
 
 FINEST, MOST_PIECES = 8, 64  # pieces of a curve: at least and at most
 PIECE = 2.0  # pixels: about the length of one
+FARTHEST = 1e6  # pixels
 HIDDEN = ("hidden", "collapse")
 
 
@@ -29,7 +30,15 @@ def cel_of(text: str) -> Cel:
         shapes = [one for one in drawing.elements() if isinstance(one, reader.Shape)]
         patches = tuple(found for one in shapes if (found := patch_of(reader, one)) is not None)
         size = float(drawing.width), float(drawing.height)
-    except (ValueError, TypeError, ZeroDivisionError, IndexError, KeyError, AttributeError) as error:
+    except (
+        ValueError,
+        TypeError,
+        ArithmeticError,
+        RecursionError,
+        IndexError,
+        KeyError,
+        AttributeError,
+    ) as error:
         raise FileError(f"holds a shape that cannot be read ({error}); save it again") from error
     if not patches:
         raise FileError("draws no shapes; a drawing to be in-betweened needs some")
@@ -79,6 +88,10 @@ def outlines_of(reader: Any, path: Any) -> list[Outline]:
 
 def outline(points: list[tuple[float, float]], closed: bool) -> list[Outline]:
     """One outline, or none of fewer than two points."""
+    if any(not -FARTHEST <= value <= FARTHEST for point in points for value in point):
+        raise FileError(
+            f"holds an outline that leaves the sheet by more than {FARTHEST:,.0f} pixels; mend it"
+        )
     return [Outline(np.array(points), closed)] if len(points) > 1 else []
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import re
 
 from lxml import etree
 
 from eyeline.errors import FileError
-from eyeline.files.extra import extra
 from eyeline.files.limits import Allowance
 from eyeline.files.pictures import decoded
+from eyeline.files.svg.drawer import png_of
 from eyeline.geometry.arrays import ByteArray
 from eyeline.shapes.cel import Cel, Paint, Patch
 from eyeline.shapes.outline import Outline
@@ -20,13 +21,8 @@ UNITS = {"px": 1.0, "in": 96.0, "cm": 96 / 2.54, "mm": 96 / 25.4, "pt": 96 / 72,
 
 def picture_of(text: str, size: tuple[int, int]) -> ByteArray:
     """(H, W, 4) uint8 sRGB of a checked drawing, as large as fits into (width, height), in the middle."""
-    with extra("SVG drawings"):
-        import resvg_py
-    try:
-        data = resvg_py.svg_to_bytes(svg_string=fitted(text, size), skip_system_fonts=True)
-    except ValueError as error:
-        raise FileError(f"cannot be drawn ({error}); save it again") from error
-    return decoded(bytes(data), "the drawing", ("PNG",), Allowance("pixels", size[0] * size[1], 0))
+    data = png_of(fitted(text, size))
+    return decoded(data, "the drawing", ("PNG",), Allowance("pixels", size[0] * size[1], 0))
 
 
 def fitted(text: str, size: tuple[int, int]) -> str:
@@ -49,7 +45,7 @@ def size_of(text: str) -> tuple[int, int]:
     sides = [length(root.get(side)) for side in ("width", "height")]
     if None in sides:
         box = [float(one) for one in re.findall(NUMBER, root.get("viewBox") or "")]
-        if len(box) != 4:
+        if len(box) != 4 or not all(0 < side < math.inf for side in box[2:]):
             raise FileError("tells neither width and height in pixels nor a viewBox; give it one")
         sides = [box[2], box[3]]
     width, height = (max(1, round(side or 0)) for side in sides)
@@ -59,7 +55,8 @@ def size_of(text: str) -> tuple[int, int]:
 def length(words: str | None) -> float | None:
     """A length in pixels; None where there is none, or it depends on something else."""
     found = re.fullmatch(rf"\s*({NUMBER})(px|in|cm|mm|pt|pc)?\s*", words or "")
-    return float(found[1]) * UNITS[found[2] or "px"] if found else None
+    pixels = float(found[1]) * UNITS[found[2] or "px"] if found else 0.0
+    return pixels if 0 < pixels < math.inf else None
 
 
 def text_of(cel: Cel) -> str:

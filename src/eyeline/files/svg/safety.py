@@ -22,6 +22,7 @@ REASONS = {
     **dict.fromkeys(MOVING, "it moves by itself; save it as a still drawing"),
     **dict.fromkeys(WORDS, "letters look different on every machine; turn text into paths"),
 }
+PAINTED = re.compile(r"url\(\s*['\"]?\s*#([^)'\"]+?)\s*['\"]?\s*\)", re.IGNORECASE)
 INSIDE = re.compile(r"#|data:image/(png|jpeg);base64,", re.IGNORECASE)
 OUTSIDE_PAINT = re.compile(
     r"@import|url\(\s*['\"]?\s*(?!['\"#\s])|\\|expression\s*\(|javascript:", re.IGNORECASE
@@ -91,6 +92,13 @@ def check(element: etree._Element) -> None:
 def refuse_multitudes(root: etree._Element) -> None:
     """Refuse more elements than anybody draws, counting what <use> draws again, and circles of <use>."""
     named = {element.get("id"): element for element in root.iter() if isinstance(element.tag, str)}
+    for style in root.iter(SVG + "style", "style"):
+        for name in PAINTED.findall("".join(style.itertext())):
+            # Whatever has the style would draw it: what is not counted must be light
+            if name in named and not plain(named[name].tag).endswith("Gradient"):
+                raise FileError(
+                    f"line {style.sourceline}: <style> paints with {name!r}; it may with gradients only"
+                )
     known: dict[etree._Element, int] = {}
     # Deepest last, so that what an element needs is mostly known when its turn comes
     waiting: list[tuple[etree._Element, bool]] = [(root, False)]
@@ -108,17 +116,18 @@ def refuse_multitudes(root: etree._Element) -> None:
             waiting.append((element, True))
             for one in below:
                 if one in open_now:
-                    raise FileError(f"line {element.sourceline}: <use> draws itself; take it out")
+                    raise FileError(
+                        f"line {element.sourceline}: <{plain(element.tag)}> draws itself; take it out"
+                    )
                 waiting.append((one, False))
 
 
 def drawn_by(element: etree._Element, named: dict[str | None, etree._Element]) -> list[etree._Element]:
-    """What is drawn where an element is: its children, and what it uses."""
+    """What is drawn where an element is: its children, what it uses, and what it is painted with."""
     below = [one for one in element if isinstance(one.tag, str)]
-    used = (element.get("href") or element.get(XLINK) or "").strip()
-    if plain(element.tag) == "use" and used[1:] in named:
-        below.append(named[used[1:]])
-    return below
+    used = [(element.get("href") or element.get(XLINK) or "").strip()[1:]]
+    used += [name for value in element.attrib.values() for name in PAINTED.findall(value)]
+    return below + [named[name] for name in used if name in named]
 
 
 def plain(name: str) -> str:
