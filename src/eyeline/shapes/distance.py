@@ -104,7 +104,7 @@ def sweep(way, counts, square, near):
             for depth in range(nz):
                 k = nz - 1 - depth if turn_z else depth
                 point = (i * ny + j) * nz + k
-                best, source = square[point], -1
+                best, source = float(square[point]), -1
                 # The seven neighbours that were passed before this point; bits: along which axes they are
                 for behind in range(1, 8):
                     if (
@@ -118,7 +118,9 @@ def sweep(way, counts, square, near):
                     other += back_y if behind & 2 else 0
                     other += back_z if behind & 4 else 0
                     if square[other] < FAR:
-                        x, y, z = i - near[3 * other], j - near[3 * other + 1], k - near[3 * other + 2]
+                        x = float(i) - float(near[3 * other])
+                        y = float(j) - float(near[3 * other + 1])
+                        z = float(k) - float(near[3 * other + 2])
                         away = x * x + y * y + z * z
                         if away < best:
                             best, source = away, other

@@ -144,8 +144,12 @@ def fill_faces(part, parts, values, counts, starts, index, places, faces):
                         b, d = d, b
                     ac, bd = 0.0, 0.0
                     for n in range(3):
-                        ac += (places[a, n] - places[c, n]) * (places[a, n] - places[c, n])
-                        bd += (places[b, n] - places[d, n]) * (places[b, n] - places[d, n])
+                        ac += (float(places[a, n]) - float(places[c, n])) * (
+                            float(places[a, n]) - float(places[c, n])
+                        )
+                        bd += (float(places[b, n]) - float(places[d, n])) * (
+                            float(places[b, n]) - float(places[d, n])
+                        )
                     if ac <= bd:
                         faces[face, 0], faces[face, 1], faces[face, 2] = a, b, c
                         faces[face + 1, 0], faces[face + 1, 1], faces[face + 1, 2] = a, c, d
