@@ -11,13 +11,14 @@ from __future__ import annotations
 import numpy as np
 
 from eyeline.geometry.arrays import FloatArray
-from eyeline.jit import kernel
+from eyeline.jit import kernel, on_stack
 
 WIDTH = 256  # vertices of a block
 ROWS = 12  # numbers of a vertex
 SIZE = ROWS * WIDTH  # numbers of a block
 BLOCKS = 8  # of a batch
 BATCH = BLOCKS * WIDTH  # vertices of a batch
+VECTORS = 3 * WIDTH  # numbers of a vector for each vertex of a block
 
 
 class Work:
@@ -137,37 +138,54 @@ def finish(state, begin, end, side, normals, tangents, out_points, out_normals, 
     """Vertices begin to end of a batch into points, normals and tangents.
 
     A normal goes by the cofactors of the Jacobian, so that it stays upright on the moved surface, and is
-    turned where side is -1; a tangent goes along with the surface.
+    turned where side is -1; a tangent goes along with the surface. Where space was flattened so that no
+    direction is left, they stay as they were.
     """
-    for v in range(begin, end):
-        block, i = (v - begin) // WIDTH, (v - begin) % WIDTH
+    given = on_stack(np.float64, VECTORS)
+    for block in range(len(state) // SIZE):
         m = state[block * SIZE : (block + 1) * SIZE]
-        for k in range(3):
-            out_points[v, k] = m[i + k * WIDTH]
-        if len(normals) + len(tangents) == 0:
-            continue
-        ax, bx, cx = m[i + 3 * WIDTH], m[i + 4 * WIDTH], m[i + 5 * WIDTH]
-        ay, by, cy = m[i + 6 * WIDTH], m[i + 7 * WIDTH], m[i + 8 * WIDTH]
-        az, bz, cz = m[i + 9 * WIDTH], m[i + 10 * WIDTH], m[i + 11 * WIDTH]
-        if len(normals) > 0:
-            nx, ny, nz = normals[v, 0], normals[v, 1], normals[v, 2]
-            x = nx * (by * cz - bz * cy) + ny * (cy * az - cz * ay) + nz * (ay * bz - az * by)
-            y = nx * (bz * cx - bx * cz) + ny * (cz * ax - cx * az) + nz * (az * bx - ax * bz)
-            z = nx * (bx * cy - by * cx) + ny * (cx * ay - cy * ax) + nz * (ax * by - ay * bx)
-            length = np.sqrt(x * x + y * y + z * z)
-            # Where space was flattened to a line there is no upright; the normal stays as it was
-            f = side / length if length > 0.0 else 0.0
-            out_normals[v, 0] = f * x if f != 0.0 else nx
-            out_normals[v, 1] = f * y if f != 0.0 else ny
-            out_normals[v, 2] = f * z if f != 0.0 else nz
+        first = begin + block * WIDTH
+        count = min(WIDTH, end - first)
+        for i in range(count):
+            for k in range(3):
+                out_points[first + i, k] = m[i + k * WIDTH]
         if len(tangents) > 0:
-            tx, ty, tz = tangents[v, 0], tangents[v, 1], tangents[v, 2]
-            x = ax * tx + bx * ty + cx * tz
-            y = ay * tx + by * ty + cy * tz
-            z = az * tx + bz * ty + cz * tz
-            length = np.sqrt(x * x + y * y + z * z)
-            f = 1.0 / length if length > 0.0 else 0.0
-            out_tangents[v, 0] = f * x if f != 0.0 else tx
-            out_tangents[v, 1] = f * y if f != 0.0 else ty
-            out_tangents[v, 2] = f * z if f != 0.0 else tz
-            out_tangents[v, 3] = side * tangents[v, 3]
+            for i in range(count):
+                for k in range(3):
+                    given[i + k * WIDTH] = tangents[first + i, k]
+            for i in range(WIDTH):
+                tx, ty, tz = given[i], given[i + WIDTH], given[i + 2 * WIDTH]
+                x = m[i + 3 * WIDTH] * tx + m[i + 4 * WIDTH] * ty + m[i + 5 * WIDTH] * tz
+                y = m[i + 6 * WIDTH] * tx + m[i + 7 * WIDTH] * ty + m[i + 8 * WIDTH] * tz
+                z = m[i + 9 * WIDTH] * tx + m[i + 10 * WIDTH] * ty + m[i + 11 * WIDTH] * tz
+                length = np.sqrt(x * x + y * y + z * z)
+                known = length > 0.0
+                f = 1.0 / length if known else 0.0
+                given[i] = x * f if known else tx
+                given[i + WIDTH] = y * f if known else ty
+                given[i + 2 * WIDTH] = z * f if known else tz
+            for i in range(count):
+                for k in range(3):
+                    out_tangents[first + i, k] = given[i + k * WIDTH]
+                out_tangents[first + i, 3] = side * tangents[first + i, 3]
+        if len(normals) > 0:
+            for i in range(count):
+                for k in range(3):
+                    given[i + k * WIDTH] = normals[first + i, k]
+            for i in range(WIDTH):
+                nx, ny, nz = given[i], given[i + WIDTH], given[i + 2 * WIDTH]
+                ax, bx, cx = m[i + 3 * WIDTH], m[i + 4 * WIDTH], m[i + 5 * WIDTH]
+                ay, by, cy = m[i + 6 * WIDTH], m[i + 7 * WIDTH], m[i + 8 * WIDTH]
+                az, bz, cz = m[i + 9 * WIDTH], m[i + 10 * WIDTH], m[i + 11 * WIDTH]
+                x = nx * (by * cz - bz * cy) + ny * (cy * az - cz * ay) + nz * (ay * bz - az * by)
+                y = nx * (bz * cx - bx * cz) + ny * (cz * ax - cx * az) + nz * (az * bx - ax * bz)
+                z = nx * (bx * cy - by * cx) + ny * (cx * ay - cy * ax) + nz * (ax * by - ay * bx)
+                length = np.sqrt(x * x + y * y + z * z)
+                known = length > 0.0
+                f = side / length if known else 0.0
+                given[i] = x * f if known else nx
+                given[i + WIDTH] = y * f if known else ny
+                given[i + 2 * WIDTH] = z * f if known else nz
+            for i in range(count):
+                for k in range(3):
+                    out_normals[first + i, k] = given[i + k * WIDTH]

@@ -116,6 +116,7 @@ def lattice(state, offsets, counts, box, distance, spline):
     reach = max(counts[0], counts[1], filled) * PAIR
     tables = np.empty(3 * reach)
     sums = np.empty(23 * PART)
+    bounds = np.empty(6, np.int64)
     place, rate = sums[21 * PART : 22 * PART], sums[22 * PART :]
     for part in range(len(state) // SIZE * (WIDTH // PART)):
         block, step = part // (WIDTH // PART), part % (WIDTH // PART)
@@ -135,22 +136,21 @@ def lattice(state, offsets, counts, box, distance, spline):
                 rate[i] = (n - 1.0) / size if place[i] == u else 0.0
             table[:] = 0.0
             if spline:
-                for i in range(PART):
-                    cell = int(np.floor(place[i]))
-                    t = place[i] - cell
-                    r = 1.0 - t
-                    for tap in range(4):
-                        w, slope = r * r * r / 6.0, -0.5 * r * r
-                        if tap == 1:
-                            w, slope = 2.0 / 3.0 - t * t * (1.0 - 0.5 * t), t * (1.5 * t - 2.0)
-                        elif tap == 2:
-                            w, slope = (1.0 + 3.0 * t * (1.0 + t * r)) / 6.0, 0.5 + t * (1.0 - 1.5 * t)
-                        elif tap == 3:
-                            w, slope = t * t * t / 6.0, 0.5 * t * t
-                        at = min(max(cell - 1 + tap, 0), n - 1) * PAIR + i
-                        table[at] += w
-                        table[at + PART] += slope * rate[i]
+                # Only points that some vertex of the part feels; the ends stand twice more outside the grid
+                low, high = place.min(), place.max()
+                begin, end = int(np.floor(low)) - 1, int(np.floor(high)) + 3
+                bounds[2 * axis], bounds[2 * axis + 1] = max(begin, 0), min(end, n)
+                for k in range(max(begin, -2), min(end, n + 2)):
+                    at = min(max(k, 0), n - 1) * PAIR
+                    here = table[at : at + PAIR]
+                    for i in range(PART):
+                        t = place[i] - k
+                        far, near = max(2.0 - abs(t), 0.0), max(1.0 - abs(t), 0.0)
+                        slope = 2.0 * near * near - 0.5 * far * far
+                        here[i] += (far * far * far - 4.0 * near * near * near) / 6.0
+                        here[i + PART] += rate[i] * (slope if t > 0.0 else -slope)
             else:
+                bounds[2 * axis], bounds[2 * axis + 1] = 0, n
                 table[:PART] = 1.0
                 # Degree by degree; slopes are differences of the weights of one degree less
                 for degree in range(1, n):
@@ -167,29 +167,32 @@ def lattice(state, offsets, counts, box, distance, spline):
 
         # Sums over points along z and y into nine rows: d, its slopes along y, and along z; then over x
         sums[: 12 * PART] = 0.0
-        for a in range(counts[0]):
+        for a in range(bounds[0], bounds[1]):
             d = sums[12 * PART : 21 * PART]
             d[:] = 0.0
-            for b in range(counts[1]):
+            for b in range(bounds[2], bounds[3]):
                 y = tables[reach + b * PAIR : reach + (b + 1) * PAIR]
-                for c in range(0, filled, TAPS):
+                for c in range(bounds[4] // TAPS * TAPS, bounds[5], TAPS):
                     z = tables[2 * reach + c * PAIR : 2 * reach + (c + TAPS) * PAIR]
                     o = offsets[((a * counts[1] + b) * filled + c) * 3 :]
-                    for r in range(3):
-                        o0, o1, o2, o3 = o[r], o[r + 3], o[r + 6], o[r + 9]
-                        e = d[r * 3 * PART : (r + 1) * 3 * PART]
-                        for i in range(PART):
-                            w = (
-                                o0 * z[i] + o1 * z[i + 2 * PART]
-                                + (o2 * z[i + 4 * PART] + o3 * z[i + 6 * PART])
-                            )  # fmt: skip
-                            slope = (
-                                o0 * z[i + PART] + o1 * z[i + 3 * PART]
-                                + (o2 * z[i + 5 * PART] + o3 * z[i + 7 * PART])
-                            )  # fmt: skip
-                            e[i] += y[i] * w
-                            e[i + PART] += y[i + PART] * w
-                            e[i + 2 * PART] += y[i] * slope
+                    x0, y0, z0, x1, y1, z1 = o[0], o[1], o[2], o[3], o[4], o[5]
+                    x2, y2, z2, x3, y3, z3 = o[6], o[7], o[8], o[9], o[10], o[11]
+                    for i in range(PART):
+                        w0, w1, w2, w3 = z[i], z[i + 2 * PART], z[i + 4 * PART], z[i + 6 * PART]
+                        s0, s1, s2, s3 = z[i + PART], z[i + 3 * PART], z[i + 5 * PART], z[i + 7 * PART]
+                        w, slope = y[i], y[i + PART]
+                        here = (x0 * w0 + x1 * w1) + (x2 * w2 + x3 * w3)
+                        d[i] += w * here
+                        d[i + PART] += slope * here
+                        d[i + 2 * PART] += w * ((x0 * s0 + x1 * s1) + (x2 * s2 + x3 * s3))
+                        here = (y0 * w0 + y1 * w1) + (y2 * w2 + y3 * w3)
+                        d[i + 3 * PART] += w * here
+                        d[i + 4 * PART] += slope * here
+                        d[i + 5 * PART] += w * ((y0 * s0 + y1 * s1) + (y2 * s2 + y3 * s3))
+                        here = (z0 * w0 + z1 * w1) + (z2 * w2 + z3 * w3)
+                        d[i + 6 * PART] += w * here
+                        d[i + 7 * PART] += slope * here
+                        d[i + 8 * PART] += w * ((z0 * s0 + z1 * s1) + (z2 * s2 + z3 * s3))
             along = tables[a * PAIR : (a + 1) * PAIR]
             for r in range(3):
                 e = d[r * 3 * PART : (r + 1) * 3 * PART]
