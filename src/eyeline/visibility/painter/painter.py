@@ -36,7 +36,7 @@ from eyeline.visibility.painter.painting import (
 WORK = (
     "faces",
     "faces turned away",
-    "parts of faces in cells",
+    "parts of faces",
     "apart in depth",
     "apart across or down",
     "sharing no pixel",
@@ -82,7 +82,7 @@ class Painter:
         return Visible(face, depth, projected, self, dict(zip(WORK, numbers, strict=True)))
 
     def steps(self, projected: Projected) -> Iterator[Step]:
-        """Cell by cell, what comes before what and why; then the painting; the last step is the picture."""
+        """What comes before what in one list of all faces, and why; the last step is the picture."""
         from eyeline.visibility.painter.painter_steps import steps
 
         return steps(self, projected)
