@@ -53,7 +53,7 @@ def compare(
     """Compare visible-surface methods on a scene: time, memory, work, and whether they agree."""
     from eyeline.comparison import compare as compared
     from eyeline.comparison.comparison import WRITERS
-    from eyeline.render.whole import refuse_place
+    from eyeline.files.whole import refuse_place
 
     if output.suffix.lower() not in WRITERS:
         raise FileError(f"{output}: is no comparison; use {', '.join(WRITERS)}")

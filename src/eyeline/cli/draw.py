@@ -56,10 +56,10 @@ def draw(
 ) -> None:
     """Draw the visible lines of a scene as vectors, in the format that the suffix of OUT says."""
     from eyeline.drawing.kinds import checked_kinds
+    from eyeline.files.whole import refuse_place
     from eyeline.projection.project import checked_size
     from eyeline.render.drawing import draw as drawing_of
     from eyeline.render.drawing import writer_of
-    from eyeline.render.whole import refuse_place
 
     begun = clock.perf_counter()
     writer_of(output)

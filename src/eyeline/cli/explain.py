@@ -52,7 +52,7 @@ def explain(
     """Show a method at work on a scene: what it compares, decides and draws, with its counters."""
     from eyeline.explanation import explain as explained
     from eyeline.explanation.explanation import WRITERS
-    from eyeline.render.whole import refuse_place
+    from eyeline.files.whole import refuse_place
 
     if output.suffix.lower() not in WRITERS:
         raise FileError(f"{output}: is no explanation; use {', '.join(WRITERS)}")

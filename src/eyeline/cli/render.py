@@ -109,9 +109,9 @@ def is_still(output: Path, span: dict[str, float], resume: bool) -> bool:
 
 def still(scene: str, output: Path, time: float, options: dict[str, Any]) -> dict[str, Any]:
     """Make and save one picture."""
+    from eyeline.files.whole import refuse_place
     from eyeline.render.frame import render as picture_of
     from eyeline.render.shot import shot_of
-    from eyeline.render.whole import refuse_place
 
     refuse_place(output)
     shot_of(**options)

@@ -146,7 +146,7 @@ def write_sheet(comparison: Comparison, path: Path) -> None:
 def write_page(comparison: Comparison, path: Path) -> None:
     """A page that needs nothing beside it."""
     from eyeline.comparison.page import page
-    from eyeline.render.whole import whole_file
+    from eyeline.files.whole import whole_file
 
     with whole_file(path) as unfinished:
         unfinished.write_text(page(comparison), encoding="utf-8")
@@ -156,7 +156,7 @@ def write_data(comparison: Comparison, path: Path) -> None:
     """For programs."""
     import json
 
-    from eyeline.render.whole import whole_file
+    from eyeline.files.whole import whole_file
 
     with whole_file(path) as unfinished:
         unfinished.write_text(json.dumps(comparison.data(), indent=1) + "\n", encoding="utf-8")

@@ -121,7 +121,7 @@ def write_film(explanation: Explanation, path: Path, progress: Progress | None) 
 def write_page(explanation: Explanation, path: Path, progress: Progress | None) -> None:
     """A page that needs nothing beside it."""
     from eyeline.explanation.page import page
-    from eyeline.render.whole import whole_file
+    from eyeline.files.whole import whole_file
 
     with whole_file(path) as unfinished:
         unfinished.write_text(page(explanation), encoding="utf-8")
@@ -130,7 +130,7 @@ def write_page(explanation: Explanation, path: Path, progress: Progress | None) 
 def write_sheet(explanation: Explanation, path: Path, progress: Progress | None) -> None:
     """A drawing of at most SHEET_FRAMES frames side by side."""
     from eyeline.explanation.sheet import sheet
-    from eyeline.render.whole import whole_file
+    from eyeline.files.whole import whole_file
 
     with whole_file(path) as unfinished:
         unfinished.write_text(sheet(explanation, SHEET_FRAMES), encoding="utf-8")
@@ -139,7 +139,7 @@ def write_sheet(explanation: Explanation, path: Path, progress: Progress | None)
 def write_data(explanation: Explanation, path: Path, progress: Progress | None) -> None:
     """What the page is made of."""
     from eyeline.explanation.page import data_of
-    from eyeline.render.whole import whole_file
+    from eyeline.files.whole import whole_file
 
     with whole_file(path) as unfinished:
         unfinished.write_text(data_of(explanation), encoding="utf-8")

@@ -52,3 +52,13 @@ def in_bytes(image: PIL.Image.Image) -> ByteArray:
         grey = (deep >> 8).clip(0, 255).astype(np.uint8)
         return np.dstack([grey, grey, grey, np.full_like(grey, 255)])
     return np.array(image.convert("RGBA"))
+
+
+def encoded(pixels: ByteArray) -> bytes:
+    """A PNG of a picture (H, W, 4): every byte comes back; alpha is left out where all is opaque."""
+    from PIL import Image
+
+    opaque = bool((pixels[..., 3] == 255).all())
+    file = io.BytesIO()
+    Image.fromarray(np.ascontiguousarray(pixels[..., :3] if opaque else pixels)).save(file, "PNG")
+    return file.getvalue()

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 
 from eyeline.cached import cached_property
 from eyeline.errors import FileError, OptionError
+from eyeline.files.whole import whole_file
 from eyeline.projection.project import checked_size
 from eyeline.render.shot import SIZE
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
-from eyeline.render.whole import whole_file
 
 if TYPE_CHECKING:
     from eyeline.drawing.lines import Lines

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from importlib import import_module
+from os import PathLike
+from typing import Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -74,6 +76,19 @@ class Scene:
                         f"a scene is made of meshes, nodes, cameras and lights, not {type(thing).__name__}"
                     )
         return cls(tuple(nodes), tuple(clips), name=name)
+
+    def save(
+        self, path: str | PathLike[str], *, fps: float = 60.0, tolerance: float = 1e-4
+    ) -> tuple[str, ...]:
+        """Write it to a file whose suffix decides the format: .glb or .gltf.
+
+        fps: how often constraints and deformers are asked what they do, which the format has no words for.
+        tolerance: how far keys may be from what they stand for, as a part of its range. Answers a sentence
+        for each thing that is sampled or lost.
+        """
+        # Files stand above the nouns and know them all; this one name of theirs is found when it is called
+        files = import_module("eyeline.files.saving")
+        return cast("tuple[str, ...]", files.save(self, path, files.Sampling(fps, tolerance)))
 
     # --- names ------------------------------------------------------------------------------------------
 

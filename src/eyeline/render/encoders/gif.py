@@ -9,9 +9,9 @@ from fractions import Fraction
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from eyeline.files.whole import refuse_place, whole_file
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
-from eyeline.render.whole import refuse_place, whole_file
 
 if TYPE_CHECKING:
     from av.container import OutputContainer

@@ -10,10 +10,10 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from eyeline.errors import FileError
+from eyeline.files.whole import whole_file
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
 from eyeline.render.image import Image
-from eyeline.render.whole import whole_file
 
 MANIFEST = "frames.json"  # says which job the frames belong to
 LAST_CHUNK = b"IEND\xaeB`\x82"  # of every PNG, with its check sum

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from eyeline.files.whole import refuse_place, whole_file
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
 from eyeline.render.image import Image
-from eyeline.render.whole import refuse_place, whole_file
 
 if TYPE_CHECKING:
     from av.container import OutputContainer

@@ -18,9 +18,9 @@ from typing import BinaryIO
 import numpy as np
 
 from eyeline.errors import OptionError
+from eyeline.files.whole import refuse_place, whole_file
 from eyeline.geometry.arrays import ByteArray
 from eyeline.render.encoders.encoder import Job
-from eyeline.render.whole import refuse_place, whole_file
 
 HAS_ALPHA, IS_ANIMATED = 0x10, 0x02  # flags of the file
 REPLACE = 0x02  # flag of a frame: it replaces what it covers, alpha too

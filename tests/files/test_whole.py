@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from eyeline.errors import FileError
-from eyeline.render.whole import whole_file
+from eyeline.files.whole import whole_file
 
 
 def test_a_file_appears_when_the_block_ends(tmp_path: Path) -> None:
