@@ -1,6 +1,7 @@
 """A stack of deformers over a mesh of a million vertices, with normals, against Blender's modifiers.
 
-Blender is not in the extra `bench`, for it is large: `pip install --no-deps bpy`. `python -m benchmarks.deform`
+Blender is not in the extra `bench`, for it is large: `pip install --no-deps bpy`, then
+`python -m benchmarks.deform`
 """
 
 from __future__ import annotations

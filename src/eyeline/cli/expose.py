@@ -82,7 +82,7 @@ def refuse_output(output: Path, onion: int | None) -> None:
     """Refuse a place or a suffix that cannot be written, before long work begins."""
     from eyeline.render.encoders import encoder_for
     from eyeline.render.image import FORMATS
-    from eyeline.render.whole import refuse_place
+    from eyeline.files.whole import refuse_place
 
     if onion is None:
         encoder_for(output).check(output)

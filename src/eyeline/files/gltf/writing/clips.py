@@ -128,7 +128,7 @@ class Clips:
         return {
             "input": self.store.accessor(curve.times.astype(np.float32), bounded=True),
             "output": self.store.accessor(values.astype(np.uint8 if name == "visible" else np.float32)),
-            "interpolation": KINDS[curve.interpolation],
+            "interpolation": KINDS[str(curve.interpolation)],
         }
 
 
