@@ -80,9 +80,9 @@ def expose(
 
 def refuse_output(output: Path, onion: int | None) -> None:
     """Refuse a place or a suffix that cannot be written, before long work begins."""
+    from eyeline.files.whole import refuse_place
     from eyeline.render.encoders import encoder_for
     from eyeline.render.image import FORMATS
-    from eyeline.files.whole import refuse_place
 
     if onion is None:
         encoder_for(output).check(output)
