@@ -57,6 +57,13 @@ def styles(_: str) -> str:
     return "\n".join(lines)
 
 
+def easings(_: str) -> str:
+    """Every easing, written as it can be given."""
+    lines = ["| easing | |", "|---|---|"]
+    lines += [f"| `{one}` | {one.idea} |" for one in eyeline.EASINGS.values()]
+    return "\n".join(lines)
+
+
 def readers(_: str) -> str:
     """Every suffix that can be loaded."""
     lines = ["| suffix | format |", "|---|---|"]
@@ -132,6 +139,7 @@ WRITERS: dict[str, Callable[[str], str]] = {
     "methods-table": methods,
     "methods-in-both-spaces": spaces,
     "styles-table": styles,
+    "easings-table": easings,
     "readers-table": readers,
     "gltf-extensions": extensions,
     "work-of": work,

@@ -5,6 +5,7 @@ from eyeline.motion.clip import Clip
 from eyeline.motion.curve import Curve
 from eyeline.motion.easing import EASINGS, Easing, cubic_bezier, easing, steps
 from eyeline.motion.key import Key
+from eyeline.motion.layers import Layer, Layers
 from eyeline.motion.path import Path
 from eyeline.motion.shot import Shot
 from eyeline.motion.track import Track
@@ -16,6 +17,8 @@ __all__ = [
     "Curve",
     "Easing",
     "Key",
+    "Layer",
+    "Layers",
     "Path",
     "Shot",
     "Track",

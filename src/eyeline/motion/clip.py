@@ -8,16 +8,16 @@ from weakref import WeakKeyDictionary
 
 from eyeline.errors import SceneError
 from eyeline.geometry.arrays import FloatArray
+from eyeline.motion.action import Action
+from eyeline.motion.bundle import Bundle
 from eyeline.motion.plan import Plan
 from eyeline.motion.track import Track
-from eyeline.scene.pose import Samples
-from eyeline.scene.scene import Scene
 
-_plans: WeakKeyDictionary[Clip, WeakKeyDictionary[Scene, Plan]]
+_bundles: WeakKeyDictionary[Clip, WeakKeyDictionary[Plan, Bundle]]
 
 
 @dataclass(frozen=True, eq=False)
-class Clip:
+class Clip(Action):
     """A pure function of time: tracks, each moving a property of its own."""
 
     name: str
@@ -39,24 +39,18 @@ class Clip:
         """Seconds from 0 to its last key; 0 without keys."""
         return max([0.0, *(float(track.curve.times[-1]) for track in self.tracks)])
 
-    def pose(self, scene: Scene, time: float) -> Scene:
-        """`scene` as it stands at `time`, seconds; before the first key and after the last it holds.
+    def fill(self, plan: Plan, times: FloatArray, state: FloatArray) -> None:
+        """Write every track's values at times (T,) over a state of the plan."""
+        bundles = _bundles.setdefault(self, WeakKeyDictionary())
+        if (bundle := bundles.get(plan)) is None:
+            bundle = bundles[plan] = plan.bundle(self.tracks)
+        bundle.at(times, state)
 
-        The answer has no clips, and only nodes that are moved are new in it. Refused: a track of something
-        that the scene does not have.
-        """
-        return self._plan(scene).pose(scene, time)
+    def mirror(self, plane: str = "x") -> Clip:
+        """For the other side: names swapped, motion reflected in the plane with the normal x, y or z."""
+        from eyeline.motion.mirror import mirrored
 
-    def sample(self, scene: Scene, times: FloatArray) -> Samples:
-        """All node transforms and morph weights at `times` (T,), in one batch."""
-        return self._plan(scene).sample(times)
-
-    def _plan(self, scene: Scene) -> Plan:
-        """Where the tracks lead in this scene: found once, kept as long as both live."""
-        plans = _plans.setdefault(self, WeakKeyDictionary())
-        if (plan := plans.get(scene)) is None:
-            plan = plans[scene] = Plan.of(self.tracks, scene)
-        return plan
+        return mirrored(self, plane)
 
 
-_plans = WeakKeyDictionary()
+_bundles = WeakKeyDictionary()

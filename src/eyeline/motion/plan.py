@@ -18,8 +18,10 @@ from eyeline.motion.track import Track
 from eyeline.scene.constraint import Constraint
 from eyeline.scene.material import Material
 from eyeline.scene.mesh import Mesh
-from eyeline.scene.pose import Samples, differences, solved
+from eyeline.scene.pose import Samples, differences, found, solved
 from eyeline.scene.scene import Scene
+
+Address = tuple[str, int, str, str]  # kind, node or -1, name where there is no node, property
 
 PARTS = {"translation": (0, 3), "rotation": (3, 4), "scale": (7, 3)}  # of a node's ten columns
 
@@ -32,8 +34,9 @@ class Plan:
     rows for the morph weights of each node that has some, and one for each other property that moves.
     """
 
-    bundle: Bundle
-    rest: FloatArray  # (columns,) the scene as it stands
+    places: Mapping[Address, tuple[int, int, int]]  # columns before the block, its width, the column in it
+    blocks: tuple[int, ...]  # (B + 1,) where blocks of columns begin, and their end
+    rest: FloatArray  # (columns,) the scene as it stands; NaN where it has no number
     parents: IntArray  # (N,)
     weights: Mapping[int, tuple[int, int]]  # node -> first column and end of its morph weights
     targets: tuple[Target, ...]
@@ -47,20 +50,23 @@ class Plan:
 
     @classmethod
     def of(cls, tracks: Sequence[Track], scene: Scene) -> Plan:
-        """Refused: a track of what is not there, and two tracks of the same."""
+        """Columns for everything that tracks move, once each. Refused: a track of what is not there."""
         still = Samples.still(scene, 1)
         materials, wearers = _materials(scene)
         paths = {path: index for index, path in enumerate(scene.paths)}
-        nodes = [find(track, scene, paths, materials) for track in tracks]
-        _refuse_twice(tracks, nodes)
-        weights, places, end = _columns(tracks, nodes, still)
+        leads = [(track, *find(track, scene, paths, materials)) for track in tracks]
+        first = {address(track, node): (track, node, rest) for track, node, rest in reversed(leads)}
+        tracks, nodes, resting = zip(*reversed(first.values()), strict=True) if first else ((), (), ())
+        weights, places, blocks = _columns(tracks, nodes, still)
         moved = {node for track, node in zip(tracks, nodes, strict=True) if track.property in PARTS}
         rest = [still.translation, still.rotation, still.scale, *still.weights.values()]
-        rest.append(np.zeros(end - sum(part.size for part in rest)))
-        columns = [int(before + column) for before, _, column in places]
+        own = sum(part.size for part in rest)
+        rest += [value for value, place in zip(resting, places, strict=True) if place[0] >= own]
+        columns = [before + column for before, _, column in places]
         led = list(zip(tracks, nodes, columns, strict=True))
         return cls(
-            bundle=Bundle.of([track.curve for track in tracks], places, end),
+            places=dict(zip(map(address, tracks, nodes), places, strict=True)),
+            blocks=blocks,
             rest=np.concatenate([part.reshape(-1) for part in rest]),
             parents=still.parents,
             weights=weights,
@@ -74,9 +80,35 @@ class Plan:
             paths=scene.paths,
         )
 
-    def pose(self, scene: Scene, time: float) -> Scene:
-        """The scene at one time, without clips; what no track moves stays the same object."""
-        state = self.bundle.at(np.array([time]), self.rest.copy())
+    def bundle(self, tracks: Sequence[Track]) -> Bundle:
+        """Curves that fill the columns of their tracks. Refused: two of the same."""
+        places: dict[Address, tuple[int, int, int]] = {}
+        for track in tracks:
+            target = self.address(track)
+            if target in places:
+                raise SceneError(f"{track} is there twice; one curve for a property is needed")
+            places[target] = self.places[target]
+        rows = np.array(list(places.values()), np.int64).reshape(-1, 3)
+        return Bundle.of([track.curve for track in tracks], rows, len(self.rest))
+
+    def address(self, track: Track) -> Address:
+        """What a track moves, however its node is named."""
+        return address(track, found(track.name, self.paths) if track.kind == "node" else -1)
+
+    def at_rest(self, count: int) -> FloatArray:
+        """A state of `count` times the scene as it stands."""
+        state = np.empty(count * len(self.rest))
+        for first, end in pairwise(self.blocks):
+            _block(state, first, end, count)[:] = self.rest[first:end]
+        return state
+
+    def column(self, state: FloatArray, target: Address, width: int, count: int) -> FloatArray:
+        """One property's values (count, width) in a state, as a view."""
+        before, stride, column = self.places[target]
+        return _block(state, before, before + stride, count)[:, column : column + width]
+
+    def posed(self, scene: Scene, state: FloatArray) -> Scene:
+        """The scene in a state of one time, without clips; what no track moves stays the same object."""
         nodes: dict[int, dict[str, Any]] = {node: dict(parts) for node, parts in self.unfolded.items()}
         materials: dict[str, dict[str, Any]] = {}
         for target in self.targets:
@@ -96,15 +128,8 @@ class Plan:
             {node: resolved(scene.nodes[node], changes) for node, changes in nodes.items()}
         )
 
-    def sample(self, times: FloatArray) -> Samples:
-        """All node transforms and morph weights at times (T,)."""
-        count, nodes = len(times), len(self.parents)
-        state = np.empty(count * len(self.rest))
-        # Blocks that no track fills whole hold the scene as it stands
-        bounds = [0, 3 * nodes, 7 * nodes, 10 * nodes, *(end for _, end in self.weights.values())]
-        for first, end in pairwise(bounds):
-            _block(state, first, end, count)[:] = self.rest[first:end]
-        self.bundle.at(times, state)
+    def sampled(self, state: FloatArray, count: int) -> Samples:
+        """All node transforms and morph weights of a state of `count` times."""
         pose = self._samples(state, count)
         return self._solved(pose, state, count) if self.constraints else pose
 
@@ -155,6 +180,11 @@ class Plan:
         return painted
 
 
+def address(track: Track, node: int) -> Address:
+    """What a track moves in a scene."""
+    return track.kind, node, track.name if node < 0 else "", track.property
+
+
 def _block(state: FloatArray, first: int, end: int, count: int) -> FloatArray:
     """The columns first to end of a state of `count` times, as a view (count, end - first)."""
     return state[first * count : end * count].reshape(count, end - first)
@@ -193,14 +223,14 @@ def _controls(led: Sequence[tuple[Track, int, int]], scene: Scene) -> dict[int, 
 
 def _columns(
     tracks: Sequence[Track], nodes: Sequence[int], still: Samples
-) -> tuple[dict[int, tuple[int, int]], IntArray, int]:
-    """Each node's weights, each track's place as `Bundle.of` takes it, and the number of columns."""
+) -> tuple[dict[int, tuple[int, int]], list[tuple[int, int, int]], tuple[int, ...]]:
+    """Each node's weights, each track's place as `Bundle.of` takes it, and where blocks begin and end."""
     count = len(still.parents)
-    end = 10 * count
+    blocks = [0, 3 * count, 7 * count, 10 * count]
     weights = {}
     for node, values in still.weights.items():
-        weights[node] = (end, end + values.shape[1])
-        end = weights[node][1]
+        weights[node] = (blocks[-1], blocks[-1] + values.shape[1])
+        blocks.append(weights[node][1])
     places = []
     for track, node in zip(tracks, nodes, strict=True):
         if track.property in PARTS:
@@ -209,9 +239,9 @@ def _columns(
         elif track.property == "weights":
             places.append((weights[node][0], track.curve.width, 0))
         else:
-            places.append((end, track.curve.width, 0))
-            end += track.curve.width
-    return weights, np.array(places, np.int64).reshape(-1, 3), end
+            places.append((blocks[-1], track.curve.width, 0))
+            blocks.append(blocks[-1] + track.curve.width)
+    return weights, places, tuple(blocks)
 
 
 def _materials(scene: Scene) -> tuple[dict[str, Material], dict[str, list[int]]]:
@@ -233,12 +263,3 @@ def _parts(still: Samples, node: int) -> dict[str, Any]:
         "rotation": tuple(still.rotation[0, node].tolist()),
         "scale": tuple(still.scale[0, node].tolist()),
     }
-
-
-def _refuse_twice(tracks: Sequence[Track], nodes: Sequence[int]) -> None:
-    taken = set()
-    for track, node in zip(tracks, nodes, strict=True):
-        target = (track.kind, node, track.name if node < 0 else "", track.property)
-        if target in taken:
-            raise SceneError(f"{track} is there twice; one curve for a property is needed")
-        taken.add(target)

@@ -69,7 +69,9 @@ class Target:
         return numbers if self.shape else numbers[0]
 
     def enter(self, changes: dict[str, Any], state: FloatArray) -> None:
-        """Note the new value among a thing's changes, nested as the path is."""
+        """Note the new value among a thing's changes, nested as the path is; NaN is none."""
+        if math.isnan(state[self.first]):
+            return
         for name in self.path[:-1]:
             changes = changes.setdefault(name, {})
         name, value = self.path[-1], self.value(state)
@@ -116,8 +118,10 @@ def numbers_of(thing: Any) -> dict[str, Any]:
 NUMBERS = (int, float, tuple, np.ndarray)
 
 
-def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mapping[str, Material]) -> int:
-    """The node a track leads to, -1 for a material or a constraint.
+def find(
+    track: Track, scene: Scene, paths: Mapping[str, int], materials: Mapping[str, Material]
+) -> tuple[int, FloatArray]:
+    """The node a track leads to, -1 for a material or a constraint, and the value at rest, NaN where is none.
 
     Refused: what is not there, and what has not the part that would move.
     """
@@ -146,7 +150,15 @@ def find(track: Track, scene: Scene, paths: Mapping[str, int], materials: Mappin
         _refuse_shape(track, thing, last)
     if last == "weights" and track.kind == "node":
         _refuse_weights(track, scene, node)
-    return node
+    return node, _rest(thing, last, track.curve.width)
+
+
+def _rest(thing: Any, name: str, width: int) -> FloatArray:
+    """The numbers a thing holds under a name."""
+    value = numbers_of(thing).get(name, getattr(thing, name, None))
+    if value is None or np.size(value) != width:
+        return np.full(width, np.nan)
+    return np.asarray(value, dtype=np.float64).reshape(-1)
 
 
 def _refuse_shape(track: Track, thing: object, name: str) -> None:
