@@ -1,7 +1,11 @@
 """A stack of deformers over a mesh of a million vertices, with normals, against Blender's modifiers.
 
+<<<<<<< HEAD
 Blender is not in the extra `bench`, for it is large: `pip install --no-deps bpy`, then
 `python -m benchmarks.deform`
+=======
+`python -m benchmarks.deform`. Blender is not in the extra `bench`: `pip install --no-deps bpy`.
+>>>>>>> 2833259 (A page and a sheet of deformers: one tower under each of them; the page's table is generated)
 """
 
 from __future__ import annotations

@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import json
 from collections.abc import Callable, Mapping
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -14,6 +15,8 @@ from sphinx.util.docutils import SphinxDirective
 
 import eyeline
 from extensions import reference
+from eyeline.deform.deformer import Deformer
+from eyeline.deform.table import DEFORMERS
 from eyeline.files import READERS
 from eyeline.files.gltf.extensions import KNOWN
 
@@ -61,6 +64,16 @@ def easings(_: str) -> str:
     """Every easing, written as it can be given."""
     lines = ["| easing | |", "|---|---|"]
     lines += [f"| `{one}` | {one.idea} |" for one in eyeline.EASINGS.values()]
+    return "\n".join(lines)
+
+
+def deformers(_: str) -> str:
+    """Every deformer, and the numbers of its own that can be keyed."""
+    common = {field.name for field in fields(Deformer)}
+    lines = ["| deformer | | its own numbers |", "|---|---|---|"]
+    for name, deformer in DEFORMERS.items():
+        own = ", ".join(f"`{one}`" for one in deformer().parameters if one not in common)
+        lines.append(f"| `{name}` | {idea(deformer)} | {own} |")
     return "\n".join(lines)
 
 
@@ -140,6 +153,7 @@ WRITERS: dict[str, Callable[[str], str]] = {
     "methods-in-both-spaces": spaces,
     "styles-table": styles,
     "easings-table": easings,
+    "deformers-table": deformers,
     "readers-table": readers,
     "gltf-extensions": extensions,
     "work-of": work,
