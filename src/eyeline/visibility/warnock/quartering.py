@@ -34,8 +34,8 @@ from eyeline.visibility.warnock.relations import (
     plane_of,
 )
 
-SMALL = 4  # pixels: an area as narrow and low as this is not cut, but seen pixel by pixel
-CUTS = 4  # that lead from TILE to SMALL
+SMALL = 8  # pixels: an area as narrow and low as this is not cut, but seen pixel by pixel
+CUTS = 3  # that lead from TILE to SMALL
 EMPTY, SURROUNDED, SINGLE_FACE, SAMPLED = range(4)  # decisions
 
 
