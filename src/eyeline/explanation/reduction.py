@@ -57,8 +57,7 @@ def clustered(surface: Surface, size: float) -> Mesh:
     mesh = surface.mesh
     points = transform.apply(surface.world_from_mesh, mesh.points.astype(np.float64))
     cell = np.floor(points / size).astype(np.int64)
-    _, owner = np.unique(cell, axis=0, return_inverse=True)
-    owner = owner.reshape(-1)
+    _, owner = distinct(cell - cell.min(axis=0, initial=0))
     faces, kept = whole_faces(owner[mesh.faces])
     weight = np.bincount(owner).astype(np.float64)
     middle: FloatArray = np.stack([np.bincount(owner, points[:, k]) / weight for k in range(3)], axis=1)
@@ -76,6 +75,19 @@ def clustered(surface: Surface, size: float) -> Mesh:
 def whole_faces(faces: IntArray) -> tuple[IntArray, IntArray]:
     """Faces (F, 3) with three corners, each once, and which of all they are."""
     whole = np.flatnonzero((faces != np.roll(faces, 1, axis=1)).all(axis=1))
-    _, first = np.unique(np.sort(faces[whole], axis=1), axis=0, return_index=True)
+    first, _ = distinct(np.sort(faces[whole], axis=1))
     kept = whole[np.sort(first)]
     return faces[kept], kept
+
+
+def distinct(rows: IntArray) -> tuple[IntArray, IntArray]:
+    """The first of each kind of row (N, K), in rising order, and the kind of each (N,). No number is below 0.
+
+    As np.unique by rows, which compares whole rows and takes five times as long for a million of them.
+    """
+    key = rows[:, 0]
+    for column in rows.T[1:]:
+        _, key = np.unique(key, return_inverse=True)
+        key = key * (column.max(initial=0) + 1) + column
+    _, first, kind = np.unique(key, return_index=True, return_inverse=True)
+    return first, kind
