@@ -70,7 +70,10 @@ def paint_cells(
                     break
                 if n == columns.shape[1]:
                     wider = np.empty((COLUMNS, 2 * n), np.int64)
-                    wider[:, :n] = columns
+                    # One by one: to assign a slice, Numba calls what a kept kernel cannot be linked to
+                    for k in range(COLUMNS):
+                        for i in range(n):
+                            wider[k, i] = columns[k, i]
                     columns = wider
                 insert(cut, border, n, columns)
                 n += 1
