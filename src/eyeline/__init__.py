@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         Track,
         constraints,
         easing,
+        face,
         in_turn,
         together,
     )
@@ -88,6 +89,7 @@ _HOMES = {
     "errors": "eyeline.errors",
     "explain": "eyeline.explanation",
     "exposure_sheet": "eyeline.drawn",
+    "face": "eyeline.motion.face",
     "film": "eyeline.render.film",
     "in_turn": "eyeline.motion",
     "inbetween": "eyeline.shapes",
@@ -101,6 +103,7 @@ _HOMES = {
 _MODULES = (
     "constraints",
     "errors",
+    "face",
     "render",
     "samples",
 )  # are modules themselves; `render` is one that can be called
@@ -143,6 +146,7 @@ __all__ = [
     "errors",
     "explain",
     "exposure_sheet",
+    "face",
     "film",
     "in_turn",
     "inbetween",
