@@ -7,6 +7,7 @@ import sys
 import typer
 
 from eyeline.cli.compare import compare
+from eyeline.cli.convert import convert
 from eyeline.cli.demo import demo
 from eyeline.cli.doctor import doctor
 from eyeline.cli.draw import draw
@@ -25,7 +26,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 
-for command in (render, draw, expose, compare, explain, info, doctor, demo):
+for command in (render, draw, expose, convert, compare, explain, info, doctor, demo):
     app.command()(command)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from eyeline.errors import FileError
 from eyeline.files.limits import IMAGE_PIXELS, Allowance
+from eyeline.files.png import png_of
 from eyeline.geometry.arrays import ByteArray
 
 if TYPE_CHECKING:
@@ -56,9 +57,5 @@ def in_bytes(image: PIL.Image.Image) -> ByteArray:
 
 def encoded(pixels: ByteArray) -> bytes:
     """A PNG of a picture (H, W, 4): every byte comes back; alpha is left out where all is opaque."""
-    from PIL import Image
-
     opaque = bool((pixels[..., 3] == 255).all())
-    file = io.BytesIO()
-    Image.fromarray(np.ascontiguousarray(pixels[..., :3] if opaque else pixels)).save(file, "PNG")
-    return file.getvalue()
+    return png_of(np.ascontiguousarray(pixels[..., :3] if opaque else pixels))

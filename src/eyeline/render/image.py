@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from eyeline.errors import FileError, GeometryError
+from eyeline.files.png import png_of
 from eyeline.files.whole import whole_file
 from eyeline.geometry.arrays import ByteArray
-from eyeline.render.png import png_of
 
 if TYPE_CHECKING:
     import PIL.Image

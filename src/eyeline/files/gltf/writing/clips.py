@@ -97,7 +97,7 @@ class Clips:
             change = None if strength == 1 else lambda values: values / strength
         if change is not None and track.property != "camera.focal_length":
             curve = track.curve
-            if curve.interpolation in KINDS:
+            if curve.is_plain:
                 scaled = Curve(curve.times, change(curve.values), curve.interpolation)
                 return self._told(as_gltf(scaled, clip.duration, self.tolerance), track, clip)
         return self._told(as_gltf(track.curve, clip.duration, self.tolerance, change), track, clip)
@@ -128,7 +128,7 @@ class Clips:
         return {
             "input": self.store.accessor(curve.times.astype(np.float32), bounded=True),
             "output": self.store.accessor(values.astype(np.uint8 if name == "visible" else np.float32)),
-            "interpolation": KINDS[str(curve.interpolation)],
+            "interpolation": KINDS[curve.ways[0]],
         }
 
 

@@ -17,10 +17,12 @@ from eyeline.geometry import quaternion
 from eyeline.geometry.arrays import FloatArray
 from eyeline.motion.curve import Curve
 
-NATIVE = ("step", "linear", "cubic")
 PIECES = 64  # samples between two keys that a curve is fitted through
 LONGEST_STEP = 1 / 60  # seconds between samples, at most
 ROUNDING = float(np.finfo(np.float32).eps) / 16  # of the greatest value: lost in the format's 32 bits anyway
+HALVINGS = 5  # of the time between samples, twice each, where a curve bends
+UNSEEN = 1 / 4  # of the tolerance: what a curve may do between two samples
+QUARTERS = np.array([0.25, 0.5, 0.75])  # of the time between samples: where it is looked whether it bends
 INSIDE = np.array([1, 2]) / 3  # of a piece: where, with its ends, a cubic is read off
 BETWEEN = np.array([0.1, 0.45, 0.7, 0.9])  # of a piece: where it is checked to be one
 
@@ -41,8 +43,8 @@ def as_gltf(curve: Curve, duration: float, tolerance: float, change: Change | No
     tolerance: as a part of the range of the values, of 1 for turns.
     change: what is done to every value first.
     """
-    plain = change is None and curve.interpolation in NATIVE and _holds(curve, duration)
-    if plain and curve.times[0] >= 0 and _apart(curve.times) and not _is_loose(curve):
+    fits = curve.times[0] >= 0 and _apart(curve.times) and not _is_loose(curve)
+    if change is None and curve.is_plain and fits:
         return Fitted(_shortened(curve))
     if change is None and not curve.rotation:
         cubic = _as_cubic(curve, duration)
@@ -112,23 +114,52 @@ def _as_cubic(curve: Curve, duration: float) -> Curve | None:
 
 
 def _sampled(curve: Curve, duration: float, tolerance: float, change: Change | None) -> Fitted:
-    """The fewest straight pieces within the tolerance."""
+    """The fewest straight pieces within the tolerance, through samples so close that no bend is missed."""
+
+    def at(times: FloatArray) -> FloatArray:
+        values = curve.at(times)
+        return values if change is None else change(values)
+
     times = sample_times(curve, duration)
-    values = curve.at(times)
-    values = values if change is None else change(values)
-    return fitted(times, values, tolerance, curve.rotation)
+    values = at(times)
+    for _ in range(HALVINGS):
+        rows = _rows(values, curve.rotation)
+        inside = (times[:-1, None] + np.diff(times)[:, None] * QUARTERS).astype(np.float32).astype(np.float64)
+        found = at(inside.reshape(-1)).reshape(*inside.shape, -1)
+        straight = rows[:-1, None] + QUARTERS[:, None] * np.diff(rows, axis=0)[:, None]
+        if curve.rotation:
+            # The same turn has two signs
+            found = found * np.where((found * straight).sum(axis=2) < 0, -1.0, 1.0)[..., None]
+        bent = (np.abs(found - straight) > UNSEEN * tolerance * _span(rows, curve.rotation)).any(axis=(1, 2))
+        if not bent.any():
+            break
+        times = np.unique(np.concatenate([times, inside[bent].reshape(-1)]))
+        values = at(times)
+    made = fitted(times, values, (1 - UNSEEN) * tolerance, curve.rotation)
+    return Fitted(made.curve, made.error / (1 - UNSEEN))
 
 
 def fitted(times: FloatArray, values: FloatArray, tolerance: float, turns: bool = False) -> Fitted:
     """Samples (S, ...) as the fewest straight pieces; tolerance: a part of their range, of 1 for turns."""
-    rows = values.reshape(len(times), -1)
-    if turns:
-        rows = quaternion.normalized(rows)
-        sides = np.where((rows[1:] * rows[:-1]).sum(axis=1) < 0, -1.0, 1.0)
-        rows = rows * np.cumprod(np.concatenate([[1.0], sides]))[:, None]
-    span = 1.0 if turns else float(np.ptp(rows, axis=0).max(initial=0.0))
-    kept = fewest_keys(times, rows, tolerance * span, turns)
-    return Fitted(Curve(times[kept], values[kept], "linear", rotation=turns), tolerance * span)
+    rows = _rows(values, turns)
+    error = tolerance * _span(rows, turns)
+    kept = fewest_keys(times, rows, error, turns)
+    return Fitted(Curve(times[kept], values[kept], "linear", rotation=turns), error)
+
+
+def _rows(values: FloatArray, turns: bool) -> FloatArray:
+    """(S, width) the values; turns of length one, each on the side of the one before."""
+    rows = values.reshape(len(values), -1)
+    if not turns:
+        return rows
+    rows = quaternion.normalized(rows)
+    sides = np.where((rows[1:] * rows[:-1]).sum(axis=1) < 0, -1.0, 1.0)
+    return rows * np.cumprod(np.concatenate([[1.0], sides]))[:, None]
+
+
+def _span(rows: FloatArray, turns: bool) -> float:
+    """What a tolerance is a part of."""
+    return 1.0 if turns else float(np.ptp(rows, axis=0).max(initial=0.0))
 
 
 def sample_times(curve: Curve, duration: float) -> FloatArray:

@@ -10,6 +10,7 @@ from eyeline.files.gltf.notes import Notes
 from eyeline.files.gltf.writing.baking import without_constraints
 from eyeline.files.gltf.writing.clips import Clips
 from eyeline.files.gltf.writing.container import Pictures, document, write
+from eyeline.files.gltf.writing.deformers import without_deformers
 from eyeline.files.gltf.writing.materials import Materials
 from eyeline.files.gltf.writing.meshes import Meshes
 from eyeline.files.gltf.writing.nodes import Nodes
@@ -27,6 +28,7 @@ def save(scene: Scene, path: Path, sampling: Sampling) -> tuple[str, ...]:
     """Write a scene; answers what the file does not hold, or holds otherwise."""
     notes = Notes()
     scene = without_constraints(scene, sampling, notes.add)
+    scene = without_deformers(scene, sampling, notes.add)
     clips = [clip for clip in scene.clips if isinstance(clip, Clip)]
     tracks = [track for clip in clips for track in clip.tracks]
     store = Store()
