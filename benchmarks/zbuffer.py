@@ -23,6 +23,7 @@ from eyeline.visibility import METHODS, Visible
 
 SIZE = (1920, 1080)
 COUNTS = {"5k": 5_000, "80k": 80_000, "1.3M": 1_300_000, "5M": 5_000_000, "9M": 9_000_000}
+ROUNDS = {"5k": 101, "80k": 51, "1.3M": 15, "5M": 7, "9M": 7}
 CAMERA = Camera.look_at((1.2, 0.9, 2.8), (0, 0, 0), near=0.1)
 
 VERTEX = """
@@ -92,9 +93,7 @@ def measure(label: str) -> list[results.Row]:
     for cull in ("back", "none"):
         theirs.cull(cull == "back")
         agree(seen(scene, cull), *theirs())
-        duel = peers.alternate(
-            lambda cull=cull: seen(scene, cull), theirs, rounds=15 if COUNTS[label] < 2e6 else 7
-        )
+        duel = peers.alternate(lambda cull=cull: seen(scene, cull), theirs, rounds=ROUNDS[label])
         what = f"ids and depth, 1920x1080, {label} faces, backs {'dropped' if cull == 'back' else 'kept'}"
         rows.append(results.Row(what, duel.ours * 1e3, duel.theirs * 1e3, theirs.name, bar="<= 1/4"))
         print(f"{what}: {duel}   cores free {peers.free_cores():.2f}", flush=True)

@@ -33,15 +33,16 @@ def recycled(shape: tuple[int, ...], dtype: type[Number]) -> npt.NDArray[Number]
 
 def taken(size: int) -> npt.NDArray[np.uint8]:
     """Memory of exactly `size` bytes that nobody else has, from the shelf or new."""
+    # The last given back first: of it most is still in the cache.
     # Another thread may take and put at any time; each step alone is safe
     for _ in range(len(_shelf)):
         try:
-            memory = _shelf.popleft()
+            memory = _shelf.pop()
         except IndexError:
             break
         if memory.nbytes == size:
             return memory
-        _shelf.append(memory)
+        _shelf.appendleft(memory)
     return np.empty(size, dtype=np.uint8)
 
 

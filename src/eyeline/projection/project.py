@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from itertools import accumulate
 from typing import Any
 
 import numpy as np
@@ -33,12 +35,13 @@ def project(scene: Scene, camera: Camera, size: tuple[int, int], cull: str = "au
     checked_cull(cull)
     width, height = checked_size(size)
     surfaces = scene.surfaces
-    if not np.isfinite(camera.world_from_eye).all():
+    if not all(map(math.isfinite, camera.world_from_eye.flat)):
         raise GeometryError(f"camera {camera.name!r} stands at a place that is not finite")
     if camera.near is None or (camera.far is None and camera.fov is None):
         camera = camera.fitted(scene.bounds)
-    face_counts = [len(surface.mesh.faces) for surface in surfaces]
-    first_faces = np.concatenate([[0], np.cumsum(face_counts, dtype=np.int64)]).astype(np.int64)
+    # Plain numbers: of few surfaces each call of NumPy would take longer than the rest
+    face_counts = (len(surface.mesh.faces) for surface in surfaces)
+    first_faces = np.array([*accumulate(face_counts, initial=0)], dtype=np.int64)
     if first_faces[-1] > MOST_FACES:
         raise GeometryError(f"the scene has {first_faces[-1]:,} faces; {MOST_FACES:,} can be numbered")
     known = {
@@ -63,7 +66,7 @@ def whole(cull: str, known: Mapping[str, Any]) -> Projected:
     """A picture with all its vertices and faces, of what is known about it without them."""
     surfaces = known["surfaces"]
     vertex_counts = [len(surface.mesh.points) for surface in surfaces]
-    face_counts = np.diff(known["first_faces"]).tolist()
+    face_counts = [len(surface.mesh.faces) for surface in surfaces]
     projected = Projected(
         xy=recycled((sum(vertex_counts), 2), np.int32),
         depth=recycled((sum(vertex_counts),), np.float32),
