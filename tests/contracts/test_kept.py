@@ -15,7 +15,7 @@ import eyeline as el
 from eyeline.projection import project
 camera = el.Camera.look_at((3, 2, 4), (0, 0, 0))
 for method in sys.argv[1:]:
-    el.METHODS[method](project(el.samples.torus(), camera, (64, 48)))
+    el.METHODS[method](project(el.samples.sphere(), camera, (64, 48)))
 print("numba" in sys.modules)
 """
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -14,9 +15,11 @@ from eyeline.render.visible import visible
 from eyeline.scene.camera import Camera
 
 if TYPE_CHECKING:
+    from eyeline.deform.run import Deformed
     from eyeline.drawing.sheet import Sheet
     from eyeline.geometry.rays import Hits
     from eyeline.scene.scene import Scene
+    from eyeline.shapes.deviation import Deviation
     from eyeline.visibility.method import Visible
     from eyeline.visibility.visible_edges import VisibleEdges
 
@@ -24,7 +27,7 @@ SIZE = (64, 48)
 
 
 def errands() -> list[Callable[[], object]]:
-    """Small things to make: every sample in the default style, every style and method of one, drawings."""
+    """Small things to make: every sample in the default style, each style and method of one, moves."""
     from eyeline.samples import SAMPLES
     from eyeline.shading.styles import STYLES
     from eyeline.visibility import METHODS
@@ -42,6 +45,9 @@ def errands() -> list[Callable[[], object]]:
         *(partial(edges, scene) for scene in scenes.values()),
         rays,
         *(partial(drawn, scene) for scene in scenes.values()),
+        deformed,
+        between,
+        eased,
     ]
 
 
@@ -81,6 +87,51 @@ def rays() -> Hits:
     mesh = puppet().surfaces[0].mesh
     directions = np.full((CHUNK + 1, 3), -1, np.float32)
     return first_hits(bvh_of(mesh.points, mesh.faces), -directions, directions)
+
+
+def deformed() -> Deformed:
+    """Points that each deformer with a kernel of its own has moved, and what mixes and fades them."""
+    from eyeline.deform.bend import Bend
+    from eyeline.deform.composite import Composite, Mixture
+    from eyeline.deform.inflate import Inflate
+    from eyeline.deform.lattice import Lattice
+    from eyeline.deform.rigid import Rotation
+    from eyeline.deform.spherify import Spherify
+    from eyeline.deform.stretch import Stretch
+    from eyeline.deform.taper import Taper
+    from eyeline.deform.twist import Twist
+    from eyeline.deform.wave import Wave
+
+    mesh = puppet().surfaces[0].mesh
+    single = (
+        *(one(0.5) for one in (Bend, Inflate, Spherify, Stretch, Taper, Twist, Wave)),
+        Lattice(np.full((2, 2, 2, 3), 0.1)),
+        Rotation(0.5),
+    )
+    tangents = np.tile(np.array([1, 0, 0, 1], np.float32), (len(mesh.points), 1))
+    return Composite((Mixture(single), Composite(single, reach=1.0)))(mesh.points, mesh.normals, tangents)
+
+
+def between() -> Deviation:
+    """Half of the way from a ball to a cube by level sets, and how far it strays at the start."""
+    from eyeline.samples import cube, sphere
+    from eyeline.shapes.level_set import LevelSet
+
+    way = LevelSet(sphere(), cube(), cells=16)
+    way.at(0.5)
+    return way.error[0]
+
+
+def eased() -> Scene:
+    """A node that goes by a curve of Bezier handles, and an easing by itself."""
+    from eyeline.motion import Clip, Curve, Track, easing
+    from eyeline.scene.node import Node
+    from eyeline.scene.scene import Scene
+
+    easing("ease_in")(np.array([0.5]))
+    way = Curve.of({0.0: (0, 0, 0), 1.0: (1, 0, 0)}, ease="ease_out_back")
+    clip = Clip("way", [Track("node", "ball", "translation", way)])
+    return replace(Scene.of(Node("ball")), clips=(clip,)).at(0.5)
 
 
 def drawn(scene: Scene) -> Sheet:
