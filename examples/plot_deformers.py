@@ -13,7 +13,6 @@ import PIL.Image
 import PIL.ImageDraw
 
 import eyeline as el
-from eyeline.deform.table import DEFORMERS
 from eyeline.geometry.normals import vertex_normals
 
 SIZE = (300, 300)
@@ -35,7 +34,7 @@ tower = el.Mesh(points, faces, vertex_normals(points, faces), materials=[cream, 
                 face_material=np.tile(checks % 2, 2).astype(int))  # fmt: skip
 
 middle = (0.0, 0.5, 0.0)
-lattice = DEFORMERS["lattice"].around(points, (3, 4, 3))
+lattice = el.deform.Lattice.around(points, (3, 4, 3))
 sway = np.sin(np.arange(4) * 1.7)[None, :, None, None] * (0.35, 0, 0.1)
 KEYS = {
     "taper": {"amount": -0.75}, "twist": {"angle": 2.4}, "bend": {"angle": 1.5, "towards": -0.4},
@@ -44,9 +43,9 @@ KEYS = {
     "wave": {"amplitude": 0.09, "length": 0.6, "axis": (1, 0, 0)},
     "rotation": {"angle": 0.7, "axis": (0, 0.2, 1), "origin": middle},
 }  # fmt: skip
-SHOWN = {"at rest": None} | {name: DEFORMERS[name](**values) for name, values in KEYS.items()}
+SHOWN = {"at rest": None} | {name: el.deform.DEFORMERS[name](**values) for name, values in KEYS.items()}
 SHOWN["lattice"] = lattice.changed({"offsets": lattice.offsets + sway})
-SHOWN["taper, twist, bend"] = DEFORMERS["composite"].of(SHOWN["taper"], SHOWN["twist"], SHOWN["bend"])
+SHOWN["taper, twist, bend"] = el.deform.Composite.of(SHOWN["taper"], SHOWN["twist"], SHOWN["bend"])
 
 camera = el.Camera.look_at((1.4, 1.5, 3.4), (0.08, 0.52, 0), fov=math.radians(26))
 sheet = PIL.Image.new("RGB", (SIZE[0] * COLUMNS, SIZE[1] * -(-len(SHOWN) // COLUMNS)))

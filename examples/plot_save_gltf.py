@@ -10,11 +10,12 @@ import tempfile
 from pathlib import Path
 
 import eyeline as el
-from eyeline.deform.twist import Twist
 
 SIZE = (640, 400)
 
-tower = el.Node("teapot", mesh=el.samples.teapot().nodes[0].mesh, deform=Twist(upper=0.16, angle=0.0))
+tower = el.Node(
+    "teapot", mesh=el.samples.teapot().nodes[0].mesh, deform=el.deform.Twist(upper=0.16, angle=0.0)
+)
 turn = el.Track("node", "teapot", "deform.angle", el.Curve([0, 1], [0.0, math.pi]))
 scene = el.Scene.of(tower, clips=[el.Clip("turn", [turn])])
 

@@ -42,3 +42,11 @@ def test_render_is_a_function_whatever_is_imported_first(first: str) -> None:
 
 def test_names_are_found_by_completion() -> None:
     assert set(el.__all__) <= set(dir(el))
+
+
+def test_every_deformer_has_its_name() -> None:
+    assert {one.__name__ for one in el.deform.DEFORMERS.values()} <= set(el.deform.__all__)
+    for name in el.deform.__all__:
+        assert getattr(el.deform, name) is not None
+    with pytest.raises(AttributeError, match="no attribute 'Shiny'"):
+        el.deform.Shiny  # noqa: B018

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from eyeline.version import __version__
 
 if TYPE_CHECKING:
-    from eyeline import errors, samples
+    from eyeline import deform, errors, samples
     from eyeline.comparison import Comparison, compare
     from eyeline.drawn import ExposureSheet, exposure_sheet
     from eyeline.explanation import Explanation, explain
@@ -84,6 +84,7 @@ _HOMES = {
     "Track": "eyeline.motion",
     "compare": "eyeline.comparison",
     "constraints": "eyeline.motion.constraints",
+    "deform": "eyeline.deform",
     "draw": "eyeline.render.drawing",
     "easing": "eyeline.motion",
     "errors": "eyeline.errors",
@@ -102,6 +103,7 @@ _HOMES = {
 }  # public name -> the module that holds it
 _MODULES = (
     "constraints",
+    "deform",
     "errors",
     "face",
     "render",
@@ -141,6 +143,7 @@ __all__ = [
     "__version__",
     "compare",
     "constraints",
+    "deform",
     "draw",
     "easing",
     "errors",

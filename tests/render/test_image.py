@@ -9,7 +9,7 @@ import pytest
 
 import eyeline as el
 from eyeline.errors import EyelineError
-from eyeline.render import png
+from eyeline.files import png
 
 
 def noise(height: int = 12, width: int = 20, opaque: bool = True) -> np.ndarray:
