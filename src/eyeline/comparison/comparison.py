@@ -15,6 +15,7 @@ from eyeline.jit import threads
 from eyeline.projection import project
 from eyeline.projection.project import checked_size
 from eyeline.projection.projected import Projected
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS, visible_of
@@ -24,7 +25,7 @@ SIZE = (1280, 720)
 
 
 def compare(
-    scene: Scene,
+    scene: Staged,
     methods: Sequence[str] | None = None,
     camera: CameraChoice = None,
     size: tuple[int, int] = SIZE,
@@ -45,7 +46,7 @@ def compare(
         if name not in METHODS:
             raise OptionError(f"there is no method {name!r}{suggestion(name, METHODS)}")
     width, height = checked_size(size)
-    posed = scene.at(time, clip)
+    posed = staged(scene).at(time, clip)
     view = chosen_camera(posed, camera, width / height).fitted(posed.bounds)
     projected = project(posed, view, (width, height), cull)
     steps = len(names) + 2 * ladder

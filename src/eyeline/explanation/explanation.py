@@ -16,6 +16,7 @@ from eyeline.geometry.arrays import ByteArray
 from eyeline.projection import project
 from eyeline.projection.project import checked_size
 from eyeline.projection.projected import Projected
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 from eyeline.scene.scene import Scene
 from eyeline.visibility import METHODS
@@ -33,7 +34,7 @@ FPS = 12
 
 
 def explain(
-    scene: Scene,
+    scene: Staged,
     method: str,
     camera: CameraChoice = None,
     size: tuple[int, int] = SIZE,
@@ -55,7 +56,7 @@ def explain(
         raise OptionError(f"size is {width}x{height}; an explanation has at most {MOST_PIXELS} pixels")
     if faces < 1:
         raise OptionError(f"faces is {faces}; at least 1 is needed")
-    posed = scene.at(time, clip)
+    posed = staged(scene).at(time, clip)
     view = chosen_camera(posed, camera, width / height).fitted(posed.bounds)
     small = reduced(posed, faces)
     projected = project(small.scene, view, (width, height), cull)

@@ -15,12 +15,12 @@ from eyeline.errors import FileError, OptionError
 from eyeline.files.whole import whole_file
 from eyeline.projection.project import checked_size
 from eyeline.render.shot import SIZE
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 
 if TYPE_CHECKING:
     from eyeline.drawing.lines import Lines
     from eyeline.drawing.sheet import Sheet
-    from eyeline.scene.scene import Scene
 
 HIDDEN = ("omit", "dashed")
 FORMATS = {
@@ -32,7 +32,7 @@ CREASE = math.radians(40)
 
 
 def draw(
-    scene: Scene,
+    scene: Staged,
     camera: CameraChoice = None,
     time: float = 0.0,
     size: tuple[int, int] = SIZE,
@@ -58,11 +58,11 @@ def draw(
         raise OptionError(f"hidden is {hidden!r}; there is {', '.join(map(repr, HIDDEN))}")
     if not 0 <= crease <= math.pi:
         raise OptionError(f"crease is {crease:g} radians; 0 to pi, half a turn, is needed")
-    posed = scene.at(time, clip)
+    posed = staged(scene).at(time, clip)
     lens = chosen_camera(posed, camera, size[0] / size[1])
     lines = lines_of(posed, lens, size, kinds, crease)
     metres = None if lens.height is None else lens.height / size[1]
-    return Drawing(lines, posed.paths, hidden == "dashed", scene.name, metres)
+    return Drawing(lines, posed.paths, hidden == "dashed", posed.name, metres)
 
 
 @dataclass(frozen=True, eq=False)

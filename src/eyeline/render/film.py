@@ -17,6 +17,7 @@ from eyeline.geometry.bounds import Bounds
 from eyeline.render.frame import picture
 from eyeline.render.overlap import overlapped
 from eyeline.render.shot import Shot, shot_of
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import chosen_camera, orbited
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ FRAMING_POSES = 49  # at how many frames a film looks where the scene moves, to 
 
 
 def film(
-    scene: Scene,
+    scene: Staged,
     fps: float = 24,
     start: float | None = None,
     end: float | None = None,
@@ -45,7 +46,7 @@ def film(
     turntable: seconds in which the camera goes once around the scene, also the film's length if `end` is left
     out. options: those of `render`, but the time.
     """
-    shot = shot_of(**options)
+    shot, scene = shot_of(**options), staged(scene)
     clip = scene.clip(shot.clip)
     begin = 0.0 if start is None else float(start)
     turn = None if turntable is None else float(turntable)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from eyeline.render.sampling import sample_positions
 from eyeline.render.shot import SIZE, Shot, shot_of
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 
 if TYPE_CHECKING:
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def render(
-    scene: Scene,
+    scene: Staged,
     camera: CameraChoice = None,
     size: tuple[int, int] = SIZE,
     time: float = 0.0,
@@ -31,7 +32,7 @@ def render(
     cull="auto", and what eyeline.shading.look.Look takes: background, ground, exposure, tone, shadows ...
     """
     shot = shot_of(style, camera=camera, size=size, method=method, samples=samples, **options)
-    posed = scene.at(time, shot.clip)
+    posed = staged(scene).at(time, shot.clip)
     width, height = shot.size
     return picture(posed, chosen_camera(posed, camera, width / height), shot)
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from eyeline.projection.project import checked_size, project
+from eyeline.render.staging import Staged, staged
 from eyeline.render.viewpoint import CameraChoice, chosen_camera
 from eyeline.shading.cutout import see
 from eyeline.visibility import method_named
 
 if TYPE_CHECKING:
-    from eyeline.scene.scene import Scene
     from eyeline.visibility.method import Visible
 
 
 def visible(
-    scene: Scene,
+    scene: Staged,
     camera: CameraChoice = None,
     size: tuple[int, int] = (1280, 720),
     time: float = 0.0,
@@ -30,7 +30,7 @@ def visible(
     """
     answer = method_named(method)
     width, height = checked_size(size)
-    posed = scene.at(time, clip)
+    posed = staged(scene).at(time, clip)
     projected = project(posed, chosen_camera(posed, camera, width / height), (width, height), cull)
     ((seen, _, _),) = see(posed, projected, answer)
     return seen

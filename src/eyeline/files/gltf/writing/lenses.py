@@ -17,7 +17,8 @@ def camera_of(camera: Camera, bounds: Bounds, note: Callable[[str], None]) -> Th
     """A lens; bounds: of what it sees, in which a plane it lacks is found."""
     if camera.near is None or (camera.fov is None and camera.far is None):
         camera = camera.fitted(bounds)
-        note(f"camera {camera.name!r} gets the planes of what it sees, as glTF asks for some")
+        which = f"camera {camera.name!r}" if camera.name else "the camera"
+        note(f"{which} gets the planes of what it sees, as glTF asks for some")
     planes: Thing = {"znear": number(max(camera.near or 0.0, 0.0))}
     if camera.far is not None and math.isfinite(camera.far):
         planes["zfar"] = number(camera.far)
