@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from eyeline.render.image import Image
     from eyeline.render.reel import Reel
     from eyeline.render.visible import visible
+    from eyeline.rigging import bind, skeleton
     from eyeline.scene.camera import Camera
     from eyeline.scene.light import Light
     from eyeline.scene.material import Material
@@ -82,6 +83,7 @@ _HOMES = {
     "Texture": "eyeline.scene.texture",
     "TextureSlot": "eyeline.scene.texture",
     "Track": "eyeline.motion",
+    "bind": "eyeline.rigging",
     "compare": "eyeline.comparison",
     "constraints": "eyeline.motion.constraints",
     "deform": "eyeline.deform",
@@ -97,6 +99,7 @@ _HOMES = {
     "load": "eyeline.files",
     "render": "eyeline.render",
     "samples": "eyeline.samples",
+    "skeleton": "eyeline.rigging",
     "together": "eyeline.motion",
     "turn": "eyeline.geometry.quaternion",
     "visible": "eyeline.render.visible",
@@ -141,6 +144,7 @@ __all__ = [
     "TextureSlot",
     "Track",
     "__version__",
+    "bind",
     "compare",
     "constraints",
     "deform",
@@ -156,6 +160,7 @@ __all__ = [
     "load",
     "render",
     "samples",
+    "skeleton",
     "together",
     "turn",
     "visible",

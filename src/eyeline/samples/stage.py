@@ -37,7 +37,7 @@ def sun(position: FloatArray | tuple[float, float, float], lux: float, color: Co
 
 
 def together(*groups: tuple[Node, ...]) -> tuple[Node, ...]:
-    """Groups of nodes side by side: each group's parents count from its own first node."""
+    """Groups of nodes side by side: each group's parents and joints count from its own first node."""
     nodes: list[Node] = []
     for group in groups:
         start = len(nodes)
@@ -46,5 +46,9 @@ def together(*groups: tuple[Node, ...]) -> tuple[Node, ...]:
 
 
 def beneath(node: Node, start: int) -> Node:
-    """The node with its parent counted from `start`."""
-    return node if node.parent < 0 else replace(node, parent=node.parent + start)
+    """The node with its parent, and the joints of its skin, counted from `start`."""
+    parent = node.parent if node.parent < 0 else node.parent + start
+    skin = node.skin
+    if skin is not None:
+        skin = replace(skin, joints=tuple(joint + start for joint in skin.joints))
+    return replace(node, parent=parent, skin=skin)
