@@ -120,13 +120,16 @@ class Plan:
             target.enter(changes, state)
         for node, mesh in self._painted(scene, materials).items():
             nodes.setdefault(node, {})["mesh"] = mesh
+        pose = None
         if self.constraints:
-            pose = self._samples(state, 1)
-            for node, changes in differences(pose, self._solved(pose, state, 1)).items():
+            before = self._samples(state, 1)
+            pose = self._solved(before, state, 1)
+            for node, changes in differences(before, pose).items():
                 nodes.setdefault(node, {}).update(changes)
-        return scene.with_changes(
+        posed = scene.with_changes(
             {node: resolved(scene.nodes[node], changes) for node, changes in nodes.items()}
         )
+        return posed if pose is None else posed.bent(pose)
 
     def sampled(self, state: FloatArray, count: int) -> Samples:
         """All node transforms and morph weights of a state of `count` times."""

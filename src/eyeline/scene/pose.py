@@ -36,6 +36,9 @@ class Samples:
     )  # nodes a matrix (4, 4) places; it may shear
     controls: Mapping[int, Mapping[str, FloatArray]] = field(default_factory=dict)  # node -> name -> (T,)
     paths: tuple[str, ...] = ()  # (N,) of the nodes
+    deforms: Mapping[int, Mapping[str, FloatArray]] = field(
+        default_factory=dict
+    )  # node -> number of its deformer -> what constraints add to it, (T, ...)
 
     @classmethod
     def still(cls, scene: Scene, count: int) -> Samples:
@@ -132,6 +135,17 @@ def differences(before: Samples, after: Samples) -> dict[int, dict[str, Any]]:
     for node, weights in after.weights.items():
         if not np.array_equal(weights, before.weights[node]):
             changes.setdefault(node, {})["weights"] = tuple(weights[0].tolist())
+    return changes
+
+
+def bends(pose: Samples, nodes: Sequence[Node]) -> dict[int, dict[str, Any]]:
+    """What a pose of one time (T = 1) makes of the deformers of nodes that have some, as fields of Node."""
+    changes = {}
+    for node, added in pose.deforms.items():
+        if (deformer := nodes[node].deform) is not None:
+            before = deformer.parameters
+            values = {name: before.get(name, 0.0) + value[0] for name, value in added.items()}
+            changes[node] = {"deform": deformer.changed(values)}
     return changes
 
 

@@ -21,7 +21,7 @@ from eyeline.scene.constraint import Constraint
 from eyeline.scene.light import Light
 from eyeline.scene.mesh import Mesh
 from eyeline.scene.node import Node
-from eyeline.scene.pose import Samples, differences, found, places_of, solved
+from eyeline.scene.pose import Samples, bends, differences, found, places_of, solved
 from eyeline.scene.surface import Surface, surfaces_of
 
 
@@ -204,7 +204,12 @@ class Scene:
         if not self.constraints:
             return self
         rest = Samples.still(self, 1)
-        return self.with_changes(differences(rest, solved(rest, self.constraints, {})))
+        pose = solved(rest, self.constraints, {})
+        return self.with_changes(differences(rest, pose)).bent(pose)
+
+    def bent(self, pose: Samples) -> Scene:
+        """This scene, posed, with what constraints add to its deformers; pose: of one time (T = 1)."""
+        return self.with_changes(bends(pose, self.nodes)) if pose.deforms else self
 
     def with_changes(self, changes: Mapping[int, Mapping[str, Any]]) -> Scene:
         """This scene posed: with other fields of some nodes, without what moves them."""

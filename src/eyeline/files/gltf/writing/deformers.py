@@ -31,16 +31,19 @@ class Baked:
     curves: tuple[Curve | None, ...]  # for each clip; None where the shape stays
 
 
-def without_deformers(scene: Scene, sampling: Sampling, note: Note) -> Scene:
-    """A scene that looks as this one does and has no deformers: their meshes have morph targets instead."""
+def without_deformers(scene: Scene, acting: Scene, sampling: Sampling, note: Note) -> Scene:
+    """A scene that looks as this one does and has no deformers: their meshes have morph targets instead.
+
+    acting: this scene with its constraints, which may drive the deformers.
+    """
     bent = [index for index, node in enumerate(scene.nodes) if node.deform is not None]
     if not bent:
         return scene
     clips = [clip for clip in scene.clips if isinstance(clip, Clip)]
     times = [frame_times(clip.duration, sampling.fps) for clip in clips]
     poses = [
-        [clip.pose(scene, float(time)).nodes for time in moments]
-        for clip, moments in zip(clips, times, strict=True)
+        [clip.pose(acting, float(time)).nodes for time in moments]
+        for clip, moments in zip((one for one in acting.clips if isinstance(one, Clip)), times, strict=True)
     ]
     nodes = list(scene.nodes)
     tracks = [[track for track in clip.tracks if not _is_taken(track, scene, bent)] for clip in clips]

@@ -27,8 +27,9 @@ PLACES = ("translation", "rotation", "scale")
 def save(scene: Scene, path: Path, sampling: Sampling) -> tuple[str, ...]:
     """Write a scene; answers what the file does not hold, or holds otherwise."""
     notes = Notes()
-    scene = without_constraints(scene, sampling, notes.add)
-    scene = without_deformers(scene, sampling, notes.add)
+    acting = scene
+    scene = without_constraints(acting, sampling, notes.add)
+    scene = without_deformers(scene, acting, sampling, notes.add)
     clips = [clip for clip in scene.clips if isinstance(clip, Clip)]
     tracks = [track for clip in clips for track in clip.tracks]
     store = Store()
