@@ -11,17 +11,18 @@ import pytest
 
 import eyeline as el
 from data import data, every
-from eyeline.samples import SAMPLES
+from eyeline.samples import CHARACTERS, SAMPLES
 from kitchen import answer
 
 MODELS = [path.name for path in every("gltf/*.gl*")]
-NAMES = [*MODELS, *SAMPLES]
+NAMES = [*MODELS, *(name for name in SAMPLES if name not in CHARACTERS)]
 SUFFIXES = (".glb", ".gltf")
 ROUNDED = 1e-6  # what 32 bits may lose of numbers that models have
 VALIDATOR = Path(__file__).parent / "validator"
 THREEJS = Path(__file__).parent.parent / "motion" / "threejs"
 
 SIZE = (96, 64)
+COARSE = {"fps": 24.0, "tolerance": 2e-3}  # what acts is sampled; so it stays small
 
 
 def scene_of(name: str) -> el.Scene:
@@ -158,10 +159,27 @@ def test_a_saved_scene_looks_the_same(name: str, tmp_path: Path) -> None:
     np.testing.assert_array_equal(*shown)
 
 
+@pytest.mark.parametrize("name", CHARACTERS)
+def test_a_saved_character_acts_the_same(name: str, tmp_path: Path) -> None:
+    scene = SAMPLES[name]()
+    again = saved(scene, tmp_path / "model.glb", **COARSE)
+    assert again.paths == scene.paths
+    for clip in scene.clips:
+        for part in (0.0, 0.37, 0.71):
+            # At a frame that was sampled, so that only the tolerance counts
+            time = round(part * clip.duration * 24) / 24
+            shown = [el.render(one.at(time, clip.name), size=(160, 100)).pixels for one in (again, scene)]
+            off = np.abs(shown[0].astype(int) - shown[1].astype(int)).max(axis=2)
+            assert (off > 16).mean() < 0.004 and off.mean() < 0.25, (clip.name, time)
+
+
 def test_the_validator_finds_no_error(tmp_path: Path) -> None:
     files = [tmp_path / f"{name.replace('.', '-')}{suffix}" for name in NAMES for suffix in SUFFIXES]
     for name, pair in zip(NAMES, zip(files[::2], files[1::2], strict=True), strict=True):
         for path in pair:
             scene_of(name).save(path)
+    for name in CHARACTERS:
+        files.append(tmp_path / f"{name}.glb")
+        SAMPLES[name]().save(files[-1], **COARSE)
     errors = answer(VALIDATOR, "validate.mjs", [str(path) for path in files])
     assert {path.name: found for path, found in zip(files, errors, strict=True) if found} == {}

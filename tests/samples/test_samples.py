@@ -22,6 +22,7 @@ SIZES = {
     "sphere": (1, 1, 1), "cube": (1, 1, 1), "torus": (1, 0.3, 1), "teapot": (0.327, 0.16, 0.203),
     "cornell_box": (0.556, 0.549, 0.559), "bouncing_ball": (8, 4, 4.3),
     "desk_lamp": (8, 4, 4.3), "demo_shot": (8, 4, 4.3),
+    "flour_sack": (8, 4, 4.3),
     "cyclic_overlap": (1.9, 1.9, 0.57), "piercing_faces": (1.9, 1.8, 1.44), "coplanar_faces": (2.6, 1.9, 0.5),
     "edge_on_faces": (1.966, 1.6, 1), "t_junction": (2.2, 1.8, 0.5), "deep_stack": (2.3, 1.64, 1),
     "convex_body": (1.68, 1.68, 1.68), "concave_body": (1.902, 1.809, 0.5),

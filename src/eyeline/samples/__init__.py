@@ -8,6 +8,7 @@ from eyeline.samples.bouncing_ball import bouncing_ball
 from eyeline.samples.cornell_box import cornell_box
 from eyeline.samples.demo_shot import demo_shot
 from eyeline.samples.desk_lamp import desk_lamp
+from eyeline.samples.flour_sack import flour_sack
 from eyeline.samples.hard_cases import (
     HARD_CASES,
     concave_body,
@@ -24,6 +25,7 @@ from eyeline.samples.teapot import teapot
 from eyeline.scene.scene import Scene
 
 __all__ = [
+    "CHARACTERS",
     "HARD_CASES",
     "SAMPLES",
     "bouncing_ball",
@@ -37,6 +39,7 @@ __all__ = [
     "demo_shot",
     "desk_lamp",
     "edge_on_faces",
+    "flour_sack",
     "piercing_faces",
     "sphere",
     "t_junction",
@@ -48,7 +51,10 @@ SAMPLES: dict[str, Callable[[], Scene]] = {
     make.__name__: make
     for make in (
         sphere, cube, torus, teapot, cornell_box, desk_lamp, bouncing_ball, demo_shot,
+        flour_sack,
         cyclic_overlap, piercing_faces, coplanar_faces, edge_on_faces, t_junction, deep_stack,
         convex_body, concave_body,
     )
 }  # fmt: skip
+
+CHARACTERS = ("flour_sack",)  # those of them that act: rigged, with controls and constraints

@@ -50,6 +50,13 @@ def joined(*shapes: Shape) -> Shape:
     )
 
 
+def sewn(*shapes: Shape) -> Shape:
+    """Shapes as one, smooth where they meet: points at one place are shared."""
+    whole = joined(*shapes)
+    first, index = welded(np.round(whole.points, 9))
+    return Shape(whole.points[first], index[whole.faces], whole.corner_uv)
+
+
 def mesh_of(parts: dict[Material, Shape], name: str = "", crease: float = CREASE) -> Mesh:
     """One mesh of shapes, each of its own material."""
     shape = joined(*parts.values())
@@ -166,9 +173,7 @@ def box(size: npt.ArrayLike, bevel: float = 0.0, steps: int = 3) -> Shape:
         for sign in (1, -1):
             first, second = (u_axis, v_axis) if sign > 0 else (v_axis, u_axis)
             sides.append(box_side(half, bevel, knots, (axis, first, second), sign))
-    whole = joined(*sides)
-    first_of, index = welded(np.round(whole.points, 9))
-    return Shape(whole.points[first_of], index[whole.faces], whole.corner_uv)
+    return sewn(*sides)
 
 
 def box_side(

@@ -17,6 +17,11 @@ from eyeline.scene.node import Node
 PEACH = Material("peach paper", (0.93, 0.55, 0.32, 1.0), roughness=0.9)
 
 
+def paper(name: str, color: Colour) -> Material:
+    """Paper of another colour, linear."""
+    return Material(name, (*color, 1.0), roughness=0.9)
+
+
 def cyclorama(material: Material = PEACH, width: float = 8.0, front: float = 3.0, back: float = 1.3) -> Mesh:
     """A sheet of paper: floor from z = front to z = -back, there up to a wall in a wide bend; metres."""
     height = 4.0
